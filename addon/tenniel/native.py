@@ -74,7 +74,7 @@ def fitting_levels(flags):
 
 
 def _search_dir():
-    return os.environ.get('TENNIEL_CORE_DIR') or os.path.dirname(os.path.realpath(__file__))
+    return os.environ.get('TENNIEL_CORE_DIR') or os.path.dirname(os.path.abspath(__file__))
 
 
 def _load(folder, flags):

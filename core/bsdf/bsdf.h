@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "bsdf/lobe.h"
+#include "math/frame.h"
+#include "math/spectrum.h"
+#include "math/vec.h"
+
+// Conventions of every scattering function here:
+// 1. Directions are unit length and point away from the surface: in world space for `Bsdf`, in the
+//    lobe's own frame (z = its shading normal) for a lobe. `wo` goes to where the path came from.
+// 2. A value contains |cos(wi, shading normal)|.
+// 3. A pdf is per solid angle and, in `Bsdf`, includes the probability of choosing the lobe.
+// 4. Delta lobes exist in `sample` only; `eval` gives zero for them.
+// 5. Radiance is not scaled by 1/eta^2 at refraction (Cycles' convention).
+// 6. `weight` = value / pdf. A sample that cannot be drawn is empty: never NaN, never pdf = 0.
+namespace tenniel {
+
+struct BsdfEval {
+  Spectrum value;
+  float pdf = 0.0f;
+};
+
+struct BsdfSample {
+  Vec3 wi;
+  Spectrum weight;
+  float pdf = 0.0f;  // of a delta lobe: the probability of having chosen it
+  LobeClass lobe_class = LobeClass::diffuse;
+  bool is_delta = false;
+  float roughness = 0.0f;  // alpha of the lobe; 1 for diffuse ones
+};
+
+// The weighted lobes of one surface point. Lives on the worker's stack; nothing is allocated.
+class Bsdf {
+ public:
+  static constexpr int k_max_lobes = 16;
+
+  // `geometric_normal` and `wo` in world space, both on one side.
+  void begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo);
+  // Appends a lobe around `normal` (unit, world; raised where `wo` would lie below it) with
+  // anisotropy along `tangent`. Black, non-finite and surplus lobes (beyond k_max_lobes) are
+  // dropped, the smallest weight first.
+  void add(const Lobe& lobe, Spectrum weight, Vec3 normal);
+  void add(const Lobe& lobe, Spectrum weight, Vec3 normal, Vec3 tangent);
+  // After the last `add`: fixes the probability of each lobe (proportional to weight * albedo(wo)).
+  void finish();
+
+  // Value over `value_lobes`, pdf over `pdf_lobes`: a light hidden from some lobes drops their value
+  // but not their pdf, and a looking glass asks for one group in both.
+  BsdfEval eval(Vec3 wi, LobeSet value_lobes = LobeSet::all(),
+                LobeSet pdf_lobes = LobeSet::all()) const;
+  std::optional<BsdfSample> sample(float u_lobe, Vec2 u) const;
+
+  // Sum of the weights that pass straight through (transparent lobes).
+  Spectrum transparency() const;
+  // Which classes are present, and which of them have a lobe that is not a delta.
+  LobeSet lobes() const { return lobes_; }
+  LobeSet smooth_lobes() const { return smooth_lobes_; }
+  bool empty() const { return count_ == 0; }
+  // weight * albedo(wo) summed over the lobes of a set.
+  Spectrum albedo(LobeSet lobes = LobeSet::all()) const;
+  // Mean of the lobes' normals by weight, unit, world space: the Normal pass.
+  Vec3 average_normal() const;
+  // Widens glossy lobes to at least `alpha` (filter glossy after a rough bounce).
+  void widen(float alpha);
+
+ private:
+  struct Weighted {
+    Lobe lobe;
+    Spectrum weight;
+    Frame frame;
+    Vec3 wo;  // in `frame`
+    float probability = 0.0f;
+  };
+  std::array<Weighted, k_max_lobes> entries_;
+  int count_ = 0;
+  LobeSet lobes_ = LobeSet::none(), smooth_lobes_ = LobeSet::none();
+  Vec3 geometric_normal_, shading_normal_, wo_;
+};
+
+}  // namespace tenniel

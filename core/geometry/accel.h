@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "geometry/interaction.h"
+
+namespace tenniel {
+
+// Ray queries against every instance: the only place that knows Embree. Const and thread-safe once
+// built; a ray that is not finite never reaches Embree (Debian's build would abort) and is counted.
+class Accel {
+ public:
+  // Multi-user meshes become true instances, world-space meshes join the top level. `cancelled` is
+  // polled during the build; an empty Accel comes back when it was set. `threads` 0 = all.
+  // Throws std::runtime_error with Embree's own words when the device or the build fails.
+  static std::shared_ptr<const Accel> build(std::span<const Mesh> meshes,
+                                            std::span<const Instance> instances,
+                                            const std::atomic<bool>& cancelled, int threads);
+  ~Accel();
+
+  // Closest hit in (ray.t_min, ray.t_max) among what `mask` (see ray_mask) sees.
+  std::optional<Hit> intersect(const Ray& ray, uint32_t mask) const;
+  bool occluded(const Ray& ray, uint32_t mask) const;
+  // Closest hit with one instance only, whatever its mask.
+  std::optional<Hit> intersect_instance(const Ray& ray, uint32_t instance) const;
+
+  Bounds3 bounds() const;            // world space, of all instances
+  size_t memory_bytes() const;       // what Embree holds
+  uint64_t rejected_rays() const;    // not finite
+  static std::string embree_version();
+
+ private:
+  Accel();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tenniel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/visibility.h"
+#include "math/transform.h"
+#include "math/vec.h"
+
+namespace tenniel {
+
+enum class MirrorEntry : uint8_t { reflection, transmission, both };
+enum class MirrorReentry : uint8_t { stay, toggle };
+
+// How an object acts as a looking glass; `dream` 0 = it is none.
+struct LookingGlass {
+  WorldIndex dream = 0;
+  MirrorEntry entry = MirrorEntry::reflection;
+  MirrorReentry reentry = MirrorReentry::stay;
+  bool first_seen_only = false;
+};
+
+// One placed mesh: an object, or one instance that an instancer made of it.
+struct Instance {
+  std::string name;
+  uint32_t mesh = 0;  // index into the scene's meshes
+  Transform object_to_world, world_to_object;
+  Visibility visibility;
+  LookingGlass looking_glass;
+  std::vector<uint32_t> materials;         // per slot, on this side
+  std::vector<uint32_t> behind_materials;  // per slot, in the dreams; same size
+  Vec3 color{1.0f, 1.0f, 1.0f};            // Object.color
+  float alpha = 1.0f;
+  float pass_index = 0.0f;
+  float random = 0.0f;  // [0, 1] of Object Info
+  bool is_holdout = false;
+  Vec3 generated;                   // instancer's generated coordinate and UV, for `from_instancer`
+  Vec2 instancer_uv;
+  Vec3 texture_space_location;      // Generated = (p - location) / (2 size) + 0.5, object space
+  Vec3 texture_space_size{1.0f, 1.0f, 1.0f};
+  int light = -1;                   // index of its mesh light; -1 = none is sampled
+  // Values of `Attribute` nodes of type Object / Instancer / View Layer: 4 floats per id.
+  std::vector<std::pair<int, std::array<float, 4>>> object_attributes;
+
+  uint32_t material(int slot, WorldIndex world) const {
+    const auto& list = world == 0 ? materials : behind_materials;
+    const auto i = static_cast<size_t>(slot);
+    return i < list.size() ? list[i] : list.back();
+  }
+};
+
+}  // namespace tenniel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/instance.h"
+#include "geometry/mesh.h"
+#include "math/ray.h"
+#include "math/vec.h"
+
+namespace tenniel {
+
+// What a ray met. `t` and the ids are Embree's; (u, v) are those of the face (of a quad: of the
+// bilinear square, see Mesh).
+struct Hit {
+  float t = 0.0f;
+  float u = 0.0f, v = 0.0f;
+  uint32_t face = 0;
+  uint32_t instance = 0;  // index into the scene's instances
+};
+
+// A point on a surface with what shading needs, in world space.
+struct SurfaceInteraction {
+  Vec3 position;
+  Vec3 wo;                // unit, to where the path came from
+  Vec3 geometric_normal;  // unit, turned to the side of `wo`
+  Vec3 shading_normal;    // unit, interpolated, turned with the geometric normal
+  bool is_back_facing = false;
+  float t = 0.0f;          // length of the ray that came here
+  float footprint = 0.0f;  // metres: radius of the ray cone here
+  const Instance* instance = nullptr;
+  const Mesh* mesh = nullptr;
+  uint32_t face = 0;
+  FaceTriangle triangle{};            // the half of the face that was hit
+  std::array<float, 3> weights{};     // barycentric, of triangle.vertices / corners
+  std::array<Vec3, 3> corner_points;  // world-space vertices of the triangle
+  float u = 0.0f, v = 0.0f;           // Blender's parametric: weights 1 and 2
+};
+
+// `hit` comes from `ray`; `mesh` is the mesh of `instance`.
+SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instance& instance,
+                                    const Mesh& mesh, float footprint);
+
+// Interpolates `attribute` at the point: 4 floats; missing channels are 0, a missing alpha 1.
+std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceInteraction& at);
+
+// The same surface extended in its tangent plane: position and barycentric weights moved by
+// `offset` (world space, perpendicular to the geometric normal). For bump's finite differences.
+SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset);
+
+// Smooth normal in object space before any flip, not normalised; for tangent-space normal maps.
+Vec3 interpolated_object_normal(const SurfaceInteraction& at);
+// Object-space normal to world space, unit.
+Vec3 normal_to_world(const Instance& instance, Vec3 normal);
+
+// Start of a ray that leaves `position` toward `direction`, moved off the surface by the error bound
+// of the intersection (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
+// Self-Intersection").
+Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction);
+
+}  // namespace tenniel

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/attributes.h"
+#include "shading/node_graph.h"
+#include "shading/program.h"
+
+namespace tenniel {
+
+// The compiled programs of one shader tree (of a material, a World or a lamp).
+struct Material {
+  std::string name;
+  Program surface;       // everything at a hit
+  Program transparency;  // what a shadow ray needs: `ShadingContext::transparency`
+  Program emission;      // what light sampling needs: `ShadingContext::emission`
+  float pass_index = 0.0f;
+  bool scatters = false;        // may add lobes
+  bool emits = false;           // may be a light
+  bool is_transparent = false;  // may let shadow rays through
+  bool is_emission_constant = false;
+  Spectrum constant_emission;
+  bool has_surface = true;          // false: nothing linked to Surface (index-matched boundary)
+  bool use_transparent_shadow = true;
+  bool sample_as_light = true;
+};
+
+enum class DisplacementMethod : uint8_t { bump, displacement, both };
+
+// Where a tree stands and what it may refer to while it is compiled.
+struct MaterialSource {
+  const NodeGraph* graph = nullptr;  // null or without output: nothing is emitted or scattered
+  ShaderDomain domain = ShaderDomain::surface;
+  DisplacementMethod displacement = DisplacementMethod::bump;
+};
+
+struct CompileContext {
+  AttributeIds* attributes = nullptr;
+  // Texture of image `index` as sampled by a node with these settings; null where it is missing.
+  std::function<const Texture*(int index, const std::string& interpolation,
+                               const std::string& extension)>
+      texture;
+  // Reports something that cannot be honoured: the node's name and a sentence.
+  std::function<void(const std::string& node, const std::string& text)> report;
+};
+
+// Runs the passes of shading/compiler.cpp. Never throws for a bad graph (cycles, unknown nodes or
+// sockets, wrong types): what cannot be used is reported and replaced by its default.
+Material compile_material(const MaterialSource& source, CompileContext& context);
+
+// Tangents a material needs: UV attribute names ("" = the active one) of its Normal Map and Tangent
+// nodes, so that meshes build them before the first ray.
+std::vector<std::string> required_tangents(const NodeGraph& graph);
+
+}  // namespace tenniel

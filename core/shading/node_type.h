@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "shading/shading_context.h"
+#include "shading/socket.h"
+
+namespace tenniel {
+
+class Texture;
+
+// What feeds an input that has no link: its own value, or a coordinate that Blender implies.
+// `normal` and `tangent` stay unlinked: the node reads them by ShadingContext::normal.
+enum class ImplicitInput : uint8_t { none, normal, tangent, generated, uv, direction };
+
+// Members that are filled from outside the socket system.
+struct ImageSlot {
+  int image = -1;                    // index into SceneDescription::images
+  const Texture* texture = nullptr;  // set by the compiler; null: missing, shown magenta
+};
+struct AttributeSlot {
+  std::string name;
+  int id = -1;  // AttributeIds, set by the compiler
+};
+
+struct InputInfo {
+  std::string identifier;
+  SocketType type = SocketType::number;
+  size_t offset = 0;  // of the Input<T> in the node; unused for closures
+  ImplicitInput implicit = ImplicitInput::none;
+  uint8_t queries = 0xff;  // ShaderQuery parts that read this input
+};
+
+struct OutputInfo {
+  std::string identifier;
+  SocketType type = SocketType::number;
+  size_t offset = 0;
+};
+
+enum class SettingKind : uint8_t { boolean, integer, number, choice, text, table, image, attribute };
+
+struct SettingInfo {
+  std::string name;  // RNA name
+  SettingKind kind = SettingKind::boolean;
+  size_t offset = 0;
+  std::vector<std::string> choices;               // identifiers, in the order of the enum
+  std::function<void(void* node, size_t choice)> set_choice;  // kind == choice
+};
+
+using EvalFunction = void (*)(const void* node, ShadingContext&);
+
+// One row of the registry: how Blender names a node and where its parts lie in our struct.
+struct NodeType {
+  std::string idname;
+  size_t size = 0, alignment = 0;
+  void (*construct)(void*) = nullptr;
+  void (*copy)(void* to, const void* from) = nullptr;
+  void (*destroy)(void*) = nullptr;
+  EvalFunction eval = nullptr;
+  // Which ShaderQuery parts this closure node adds to, from its constant inputs; null: no closure.
+  uint8_t (*closure_parts)(const void* node) = nullptr;
+  std::vector<InputInfo> inputs;
+  std::vector<OutputInfo> outputs;
+  std::vector<SettingInfo> settings;
+  size_t closure_weight_offset = 0;  // of the closure's Input<float> weight
+  bool is_pure = true;  // depends on its inputs alone: may be folded
+
+  bool is_closure() const { return closure_parts != nullptr; }
+  const InputInfo* input(std::string_view identifier) const;
+  const OutputInfo* output(std::string_view identifier) const;
+  const SettingInfo* setting(std::string_view name) const;
+};
+
+// Fluent description of one node struct, used beside the struct:
+//   registry.add<MathNode>("ShaderNodeMath")
+//       .input("Value", &MathNode::a).output("Value", &MathNode::result)
+//       .choice("operation", &MathNode::operation, {{"ADD", MathOperation::add}, ...});
+// A node struct has `void eval(ShadingContext&) const`; a closure node also `Input<float> weight`
+// and `uint8_t closure_parts() const`.
+template <class Node>
+class NodeTypeBuilder {
+ public:
+  explicit NodeTypeBuilder(NodeType& type) : type_(type) {}
+
+  template <class T>
+  NodeTypeBuilder& input(std::string identifier, Input<T> Node::*member, uint8_t queries = 0xff) {
+    type_.inputs.push_back({std::move(identifier), socket_type<T>(), offset_of(member),
+                            ImplicitInput::none, queries});
+    return *this;
+  }
+  // For the input named last.
+  NodeTypeBuilder& implicit(ImplicitInput kind) {
+    type_.inputs.back().implicit = kind;
+    return *this;
+  }
+  NodeTypeBuilder& closure_input(std::string identifier) {
+    type_.inputs.push_back({std::move(identifier), SocketType::closure, 0, ImplicitInput::none, 0xff});
+    return *this;
+  }
+  template <class T>
+  NodeTypeBuilder& output(std::string identifier, Output<T> Node::*member) {
+    type_.outputs.push_back({std::move(identifier), socket_type<T>(), offset_of(member)});
+    return *this;
+  }
+  NodeTypeBuilder& closure_output(std::string identifier) {
+    type_.outputs.push_back({std::move(identifier), SocketType::closure, 0});
+    return *this;
+  }
+  NodeTypeBuilder& setting(std::string name, bool Node::*member) {
+    return plain(std::move(name), SettingKind::boolean, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, int Node::*member) {
+    return plain(std::move(name), SettingKind::integer, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, float Node::*member) {
+    return plain(std::move(name), SettingKind::number, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, std::string Node::*member) {
+    return plain(std::move(name), SettingKind::text, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, std::vector<float> Node::*member) {
+    return plain(std::move(name), SettingKind::table, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, ImageSlot Node::*member) {
+    return plain(std::move(name), SettingKind::image, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, AttributeSlot Node::*member) {
+    return plain(std::move(name), SettingKind::attribute, offset_of(member));
+  }
+  template <class Enum>
+  NodeTypeBuilder& choice(std::string name, Enum Node::*member,
+                          std::initializer_list<std::pair<const char*, Enum>> items) {
+    SettingInfo info{std::move(name), SettingKind::choice, offset_of(member), {}, {}};
+    std::vector<Enum> values;
+    for (const auto& [identifier, value] : items) {
+      info.choices.emplace_back(identifier);
+      values.push_back(value);
+    }
+    info.set_choice = [member, values = std::move(values)](void* node, size_t i) {
+      static_cast<Node*>(node)->*member = values[i];
+    };
+    type_.settings.push_back(std::move(info));
+    return *this;
+  }
+  // Reads more than its inputs (geometry, path, images of the scene): never folded.
+  NodeTypeBuilder& varying() {
+    type_.is_pure = false;
+    return *this;
+  }
+  NodeTypeBuilder& closure() {
+    type_.is_pure = false;
+    type_.closure_weight_offset = offset_of(&Node::weight);
+    type_.closure_parts = [](const void* node) {
+      return static_cast<const Node*>(node)->closure_parts();
+    };
+    return *this;
+  }
+
+ private:
+  template <class Member>
+  static size_t offset_of(Member Node::*member) {
+    static const Node sample{};
+    return static_cast<size_t>(reinterpret_cast<const char*>(&(sample.*member)) -
+                               reinterpret_cast<const char*>(&sample));
+  }
+  NodeTypeBuilder& plain(std::string name, SettingKind kind, size_t offset) {
+    type_.settings.push_back({std::move(name), kind, offset, {}, {}});
+    return *this;
+  }
+  NodeType& type_;
+};
+
+// All node types the engine knows, by bl_idname.
+class NodeRegistry {
+ public:
+  template <class Node>
+  NodeTypeBuilder<Node> add(std::string idname) {
+    NodeType& type = *types_.emplace_back(std::make_unique<NodeType>());
+    type.size = sizeof(Node);
+    type.alignment = alignof(Node);
+    type.construct = [](void* p) { new (p) Node(); };
+    type.copy = [](void* to, const void* from) { new (to) Node(*static_cast<const Node*>(from)); };
+    type.destroy = [](void* p) { static_cast<Node*>(p)->~Node(); };
+    type.eval = [](const void* node, ShadingContext& context) {
+      static_cast<const Node*>(node)->eval(context);
+    };
+    by_name_.emplace(idname, &type);
+    type.idname = std::move(idname);
+    return NodeTypeBuilder<Node>(type);
+  }
+  const NodeType* find(const std::string& idname) const;
+  const std::vector<std::unique_ptr<NodeType>>& all() const { return types_; }
+
+ private:
+  std::vector<std::unique_ptr<NodeType>> types_;
+  std::unordered_map<std::string, NodeType*> by_name_;
+};
+
+// The one registry, filled on first use from the `register_*` functions of shading/nodes/.
+const NodeRegistry& node_registry();
+
+}  // namespace tenniel

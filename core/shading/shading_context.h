@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bsdf/bsdf.h"
+#include "geometry/interaction.h"
+#include "geometry/visibility.h"
+#include "math/transform.h"
+#include "shading/socket.h"
+
+namespace tenniel {
+
+// Parts of a shader that a program can be compiled for; also which of them a node is asked for.
+enum ShaderQuery : uint8_t {
+  k_query_scatter = 1,
+  k_query_emission = 2,
+  k_query_transparency = 4,
+  k_query_displacement = 8,
+  k_query_surface = k_query_scatter | k_query_emission | k_query_transparency,
+};
+
+enum class ShaderDomain : uint8_t { surface, world, lamp };
+
+// What the Light Path node may ask about the path that came here.
+struct PathInfo {
+  RayKind kind = RayKind::camera;  // shadow: evaluated for a shadow ray
+  WorldIndex world = 0;
+  bool is_singular = false;    // the last bounce was a delta
+  bool is_reflection = false;  // the last bounce reflected
+  int ray_depth = 0, diffuse_depth = 0, glossy_depth = 0, transmission_depth = 0;
+  int transparent_depth = 0;
+};
+
+// Camera facts that Texture Coordinate, Camera Data and Vector Transform read.
+struct CameraInfo {
+  Transform world_to_camera;  // Blender axes: looks along -Z
+  // World point to (x, y) in [0, 1] of the picture, y up.
+  Vec2 (*window)(const void* camera, Vec3 world_point) = nullptr;
+  const void* camera = nullptr;
+};
+
+// Everything a node may read, and where closures write. One per worker; lives as long as it.
+class ShadingContext {
+ public:
+  // `register_count`: the most any program of the scene needs.
+  void reserve(size_t register_count) { registers_.resize(register_count); }
+
+  SurfaceInteraction surface;  // in a World: position = direction, wo = -direction
+  PathInfo path;
+  ShaderDomain domain = ShaderDomain::surface;
+  uint8_t query = k_query_surface;
+  const CameraInfo* camera = nullptr;
+  float material_pass_index = 0.0f;
+  // The normal that closures use where their Normal input is not linked: the shading normal, or
+  // what displacement as bump made of it.
+  Vec3 closure_normal;
+
+  // Results.
+  Bsdf bsdf;
+  Spectrum emission;
+  Spectrum transparency;
+  float holdout = 0.0f;
+
+  template <class T>
+  T get(const Input<T>& input) const {
+    if (!input.linked()) return input.value;
+    const float* r = registers_.data() + input.source;
+    if constexpr (std::is_same_v<T, float>) return *r;
+    else return T{r[0], r[1], r[2]};
+  }
+  template <class T>
+  void set(const Output<T>& output, T value) {
+    if (!output.used()) return;
+    float* r = registers_.data() + output.target;
+    if constexpr (std::is_same_v<T, float>) {
+      *r = value;
+    } else if constexpr (std::is_same_v<T, Vec3>) {
+      r[0] = value.x, r[1] = value.y, r[2] = value.z;
+    } else {
+      r[0] = value.r, r[1] = value.g, r[2] = value.b;
+    }
+  }
+  // A Normal socket: unit length, or the closure normal where it is not linked.
+  Vec3 normal(const Input<Vec3>& input) const {
+    return input.linked() ? normalize_or(get(input), closure_normal) : closure_normal;
+  }
+  float read_register(RegisterIndex index) const {
+    return registers_[static_cast<size_t>(index)];
+  }
+
+  // Clears the results and turns `surface` into the start of an evaluation.
+  void begin(uint8_t wanted_query);
+
+ private:
+  std::vector<float> registers_;
+};
+
+}  // namespace tenniel
