@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Evaluate many shader graphs in one render: each is the emission of one small tile.
+
+A graph's inputs are constant over its tile (socket values, or attributes of the face domain that the
+engine cannot fold away), so that the value does not depend on where in the pixel an engine puts its
+sample, and a comparison at 1e-4 is sound at one sample a pixel. Values that must vary over the tile
+(`FieldGrid`) are averaged over the pixel instead and get a tolerance from their own gradient.
+"""
+import math
+from dataclasses import dataclass, field
+
+import bpy
+
+from . import scene_factory
+from .render import REFERENCE_ENGINE, TESTED_ENGINE, render
+
+PIXELS_PER_TILE = 3
+TOLERANCE = 1e-4
+
+
+@dataclass
+class Tile:
+    """One face: what it shows, its attributes {name: float or 3 floats}, uv and normal (+Z half)."""
+    label: str
+    material: object
+    attributes: dict = field(default_factory=dict)
+    uv: tuple = (0.0, 0.0)
+    normal: tuple = (0.0, 0.0, 1.0)
+
+
+def _columns(count):
+    return max(1, math.ceil(math.sqrt(count)))
+
+
+def _quad(column, row, normal):
+    """Corners of a unit square seen from +Z whose plane has `normal`."""
+    nx, ny, nz = normal
+    corners = []
+    for dx, dy in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)):
+        corners.append((column + dx, row + dy, -(nx * dx + ny * dy) / nz))
+    return corners
+
+
+def _frame(scene, columns, rows):
+    side = max(columns, rows)
+    scene_factory.top_camera(scene, side, ((columns - 1) / 2, (rows - 1) / 2), 50.0)
+    return columns * PIXELS_PER_TILE, rows * PIXELS_PER_TILE
+
+
+class TileGrid:
+    """Tiles as the faces of one mesh, with one material slot for each different material."""
+
+    def __init__(self, scene):
+        self.scene = scene
+        self.tiles = []
+
+    def add(self, label, material, **options):
+        self.tiles.append(Tile(label, material, **options))
+
+    def build(self):
+        """Make mesh and camera; returns the resolution."""
+        columns = _columns(len(self.tiles))
+        rows = math.ceil(len(self.tiles) / columns)
+        vertices, faces, uv = [], [], []
+        for index, tile in enumerate(self.tiles):
+            base = len(vertices)
+            vertices += _quad(index % columns, index // columns, tile.normal)
+            faces.append(range(base, base + 4))
+            uv += [tile.uv] * 4
+        data = scene_factory.mesh("Tiles", vertices, faces, uv=uv)
+        slots = list(dict.fromkeys(tile.material for tile in self.tiles))
+        for material in slots:
+            data.materials.append(material)
+        slot_of = {material: i for i, material in enumerate(slots)}
+        data.polygons.foreach_set("material_index", [slot_of[t.material] for t in self.tiles])
+        self._add_attributes(data)
+        scene_factory.link(self.scene, data)
+        return _frame(self.scene, columns, rows)
+
+    def _add_attributes(self, data):
+        kinds = {}
+        for tile in self.tiles:
+            for name, value in tile.attributes.items():
+                kinds[name] = "FLOAT" if isinstance(value, (int, float)) else "FLOAT_VECTOR"
+        for name, kind in kinds.items():
+            layer = data.attributes.new(name, kind, "FACE")
+            if kind == "FLOAT":
+                layer.data.foreach_set("value", [t.attributes.get(name, 0.0) for t in self.tiles])
+            else:
+                layer.data.foreach_set("vector", [
+                    c for t in self.tiles for c in t.attributes.get(name, (0.0, 0.0, 0.0))])
+
+    def values(self, engine, resolution):
+        """RGB at the centre of each tile."""
+        picture = render(engine, samples=1, resolution=resolution, max_bounces=0)
+        return [picture.pixel(*centre_pixel(i, len(self.tiles)))[:3]
+                for i in range(len(self.tiles))]
+
+    def compare(self):
+        """Render with both engines; returns a list of texts, one for each tile that differs."""
+        resolution = self.build()
+        tested = self.values(TESTED_ENGINE, resolution)
+        reference = self.values(REFERENCE_ENGINE, resolution)
+        return [mismatch(tile.label, t, r)
+                for tile, t, r in zip(self.tiles, tested, reference) if not agree(t, r)]
+
+
+class FieldGrid:
+    """Tiles as separate objects whose value may vary; compared as means over a pixel.
+
+    The mean of a nearly linear field over a pixel is its centre value. The tolerance adds a tenth
+    of the difference to the neighbouring pixels: enough for the scatter of the sample positions,
+    and too little for a shift of half a pixel.
+    """
+    SAMPLES = 256
+    GRADIENT_SHARE = 0.1
+
+    def __init__(self, scene):
+        self.scene = scene
+        self.labels = []
+        self.objects = []
+
+    def add(self, label, material, data=None, rotation=(0, 0, 0), scale=(1, 1, 1)):
+        """Add an object (default: a unit square) and return it; it must fill its unit cell."""
+        if data is None:
+            h = 0.5
+            data = scene_factory.mesh("Tile", [(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0)],
+                                      [(0, 1, 2, 3)], uv=[(0, 0), (1, 0), (1, 1), (0, 1)])
+        data.materials.append(material)
+        obj = scene_factory.link(self.scene, data, label, rotation=rotation, scale=scale)
+        self.labels.append(label)
+        self.objects.append(obj)
+        return obj
+
+    def compare(self, tolerance=TOLERANCE):
+        """Render with both engines; returns a list of texts, one for each tile that differs."""
+        count = len(self.objects)
+        columns = _columns(count)
+        for i, obj in enumerate(self.objects):
+            obj.location = (i % columns, i // columns, 0)
+        resolution = _frame(self.scene, columns, math.ceil(count / columns))
+        pictures = [render(engine, samples=self.SAMPLES, resolution=resolution, max_bounces=0)
+                    for engine in (TESTED_ENGINE, REFERENCE_ENGINE)]
+        failures = []
+        for i, label in enumerate(self.labels):
+            x, y = centre_pixel(i, count)
+            tested, reference = (p.pixel(x, y)[:3] for p in pictures)
+            neighbours = [pictures[1].pixel(x + dx, y + dy)
+                          for dx, dy in ((-1, 0), (1, 0), (0, -1), (0, 1))]
+            slack = [self.GRADIENT_SHARE * max(abs(n[c] - reference[c]) for n in neighbours)
+                     for c in range(3)]
+            if not agree(tested, reference, slack, tolerance):
+                failures.append(mismatch(label, tested, reference))
+        return failures
+
+
+def centre_pixel(index, count):
+    columns = _columns(count)
+    return (PIXELS_PER_TILE * (index % columns) + PIXELS_PER_TILE // 2,
+            PIXELS_PER_TILE * (index // columns) + PIXELS_PER_TILE // 2)
+
+
+def agree(tested, reference, slack=(0.0, 0.0, 0.0), tolerance=TOLERANCE):
+    return all(abs(t - r) <= tolerance * max(1.0, abs(r)) + s
+               for t, r, s in zip(tested, reference, slack))
+
+
+def mismatch(label, tested, reference):
+    def show(values):
+        return "(" + ", ".join(f"{v:.6g}" for v in values) + ")"
+    return f"{label}: {show(tested)} instead of {show(reference)}"
+
+
+def emission_of(name, build):
+    """Material that emits what `build(Nodes)` returns (a socket or node), strength 1."""
+    return scene_factory.node_material(
+        name, lambda n: n.add("ShaderNodeEmission", None, {"Color": build(n)}))
+
+
+def enum_items(node_type, name):
+    """Identifiers of an enum setting as the running Blender has them."""
+    node_class = getattr(bpy.types, node_type)
+    return [item.identifier for item in node_class.bl_rna.properties[name].enum_items]
