@@ -17,7 +17,7 @@ import addon_utils, bpy
 enabled = addon_utils.enable('tenniel') is not None
 print('ENABLED', enabled)
 print('LEFT', hasattr(bpy.types.Scene, 'tenniel'), hasattr(bpy.types, 'TennielRenderEngine'),
-      'TENNIEL' in bpy.types.RENDER_PT_context.COMPAT_ENGINES)
+      'TENNIEL' in bpy.types.RENDER_PT_color_management.COMPAT_ENGINES)
 print('ALIVE')
 """
 

@@ -183,12 +183,6 @@ class MirrorTagsTest(unittest.TestCase):
         tags = mirror_tags.effective_tags(self.object.evaluated_get(depsgraph))
         self.assertEqual((tags.side, tags.looking_glass), ('BEHIND', True))
 
-    def test_material_behind_itself_is_not_offered(self):
-        material = bpy.data.materials.new("a")
-        other = bpy.data.materials.new("b")
-        material.tenniel.behind_material = other
-        self.assertEqual(material.tenniel.behind_material, other)
-
 
 class ReportsTest(unittest.TestCase):
 

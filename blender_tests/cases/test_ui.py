@@ -28,6 +28,7 @@ def lamp_object(name, kind='POINT'):
 
 
 def select(*objects):
+    bpy.context.view_layer.update()
     for obj in bpy.context.view_layer.objects:
         obj.select_set(obj in objects)
 
@@ -65,7 +66,7 @@ class SelectionOperatorTest(unittest.TestCase):
                      if name.startswith('TENNIEL_OT_')]
         self.assertGreaterEqual(len(operators), 10)
         for operator in operators:
-            if operator.bl_idname != 'TENNIEL_OT_clear_reports':
+            if operator.__name__ != 'TENNIEL_OT_clear_reports':
                 self.assertLessEqual({'REGISTER', 'UNDO'}, operator.bl_options, operator)
 
     def test_clear_removes_custom_properties_too(self):
@@ -76,7 +77,7 @@ class SelectionOperatorTest(unittest.TestCase):
         bpy.ops.tenniel.clear_mirror_tags()
         self.assertEqual(mirror_tags.effective_tags(first), mirror_tags.MirrorTags())
         self.assertEqual(first.tenniel.dreams, set())
-        self.assertEqual(list(first.keys()), ['other'])
+        self.assertEqual(set(first.keys()) - {'tenniel'}, {'other'})
 
     def test_this_side_overrules_the_custom_property(self):
         self.objects[0]['behind_mirror'] = True
@@ -333,14 +334,11 @@ class CompatTest(unittest.TestCase):
                 self.assertLess(menu_entries('OTHER', shader_type), cycles)
 
     def test_stock_panels(self):
-        for name in ('RENDER_PT_context', 'RENDER_PT_color_management', 'RENDER_PT_simplify',
-                     'RENDER_PT_dimensions', 'RENDER_PT_output', 'DATA_PT_camera', 'DATA_PT_lens',
+        for name in ('RENDER_PT_color_management', 'RENDER_PT_simplify', 'RENDER_PT_format',
+                     'RENDER_PT_output', 'DATA_PT_camera', 'DATA_PT_lens',
                      'DATA_PT_camera_dof', 'DATA_PT_uv_texture', 'WORLD_PT_context_world',
-                     'VIEWLAYER_PT_layer', 'EEVEE_MATERIAL_PT_context_material',
-                     'OBJECT_PT_transform', 'MATERIAL_PT_viewport'):
-            panel = getattr(bpy.types, name, None)
-            if panel is not None:
-                self.assertIn(base.ENGINE, panel.COMPAT_ENGINES, name)
+                     'VIEWLAYER_PT_layer', 'EEVEE_MATERIAL_PT_context_material'):
+            self.assertIn(base.ENGINE, getattr(bpy.types, name).COMPAT_ENGINES, name)
         for name in ('DATA_PT_light', 'OBJECT_PT_visibility', 'EEVEE_MATERIAL_PT_surface'):
             self.assertNotIn(base.ENGINE, getattr(bpy.types, name).COMPAT_ENGINES, name)
 
