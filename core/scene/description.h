@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shading/node_graph.h"
+
+// The scene as the exporter describes it: plain structs and arrays, still with names. Indices refer
+// to the lists of SceneDescription; -1 = none. Matrices are 12 floats: three rows of four, acting on
+// columns as Blender's. Colours are linear Rec.709. Lengths in metres, angles in radians.
+namespace tenniel {
+
+// Arrays are made by the core, filled by Blender, and kept alive by whoever needs them last.
+template <class T>
+using Buffer = std::shared_ptr<std::vector<T>>;
+
+using Matrix34 = std::array<float, 12>;
+constexpr Matrix34 k_identity34 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+struct AttributeDesc {
+  std::string name;    // "" = active UV map, "\x01color" = active colour attribute, else as in Blender
+  std::string domain;  // "POINT", "CORNER" or "FACE"
+  int channels = 3;    // floats per element: 1, 2, 3 or 4
+  Buffer<float> data;  // (elements, channels)
+};
+
+struct MeshDesc {
+  std::string name;
+  Buffer<float> positions;            // (vertices, 3) object space
+  Buffer<uint32_t> corner_vertices;   // (corners)
+  Buffer<int32_t> polygon_starts;     // (polygons)
+  Buffer<int32_t> polygon_sizes;      // (polygons)
+  Buffer<uint32_t> triangle_corners;  // (triangles, 3) of Blender's triangulation
+  Buffer<int32_t> material_indices;   // (polygons) or none
+  Buffer<uint8_t> smooth_flags;       // (polygons) or none
+  Buffer<float> vertex_normals;       // (vertices, 3) or none
+  Buffer<float> corner_normals;       // (corners, 3) or none
+  std::vector<AttributeDesc> attributes;
+  std::array<float, 3> texture_space_location{0, 0, 0};
+  std::array<float, 3> texture_space_size{1, 1, 1};
+};
+
+// Where a thing exists: `worlds` bit w, `ray_kinds` bit k (camera, diffuse, glossy, transmission,
+// volume scatter, shadow).
+struct VisibilityDesc {
+  uint32_t worlds = 0x1f;
+  uint32_t ray_kinds = 0x3f;
+};
+
+struct LookingGlassDesc {
+  int dream = 0;                     // 0 = no looking glass, else 1..4
+  std::string entry = "REFLECTION";  // REFLECTION, TRANSMISSION, BOTH
+  std::string reentry = "STAY";      // STAY, TOGGLE
+  bool first_seen_only = false;
+};
+
+struct InstanceDesc {
+  std::string name;
+  int mesh = -1;
+  Matrix34 object_to_world = k_identity34;
+  VisibilityDesc visibility;
+  LookingGlassDesc looking_glass;
+  std::vector<int> materials;         // per slot; -1 = Blender's default material
+  std::vector<int> behind_materials;  // per slot in the dreams; empty = the same
+  std::array<float, 4> color{1, 1, 1, 1};
+  float pass_index = 0.0f;
+  float random = 0.0f;  // [0, 1]
+  bool is_holdout = false;
+  std::array<float, 3> generated{0, 0, 0};  // of the instancer
+  std::array<float, 2> instancer_uv{0, 0};
+  std::map<std::string, std::array<float, 4>> attributes;  // for Attribute nodes off geometry
+};
+
+struct MaterialDesc {
+  std::string name;
+  NodeGraph graph;
+  float pass_index = 0.0f;
+  std::string displacement_method = "BUMP";  // BUMP, DISPLACEMENT, BOTH
+  bool use_transparent_shadow = true;
+  bool sample_as_light = true;
+};
+
+struct LightDesc {
+  std::string name;
+  std::string type = "POINT";  // POINT, SPOT, AREA, SUN
+  Matrix34 object_to_world = k_identity34;
+  std::array<float, 3> color{1, 1, 1};
+  float energy = 0.0f;      // W; sun: W/m^2
+  float radius = 0.0f;      // point, spot: metres
+  float spot_size = 0.785f;  // full angle
+  float spot_blend = 0.15f;
+  std::string shape = "SQUARE";  // SQUARE, RECTANGLE, DISK, ELLIPSE
+  float size_x = 1.0f, size_y = 1.0f;
+  float spread = 3.14159265f;
+  float angle = 0.0f;  // sun: full angle
+  NodeGraph graph;     // empty = no nodes
+  VisibilityDesc visibility;
+  bool casts_shadow = true;
+  bool use_mis = true;
+  int max_bounces = 1024;
+  float random = 0.0f;
+};
+
+struct WorldDesc {
+  std::string name;
+  NodeGraph graph;                         // empty: `color` is the background
+  std::array<float, 3> color{0, 0, 0};
+  VisibilityDesc visibility;               // only ray kinds count
+  std::string sampling = "AUTOMATIC";      // NONE, AUTOMATIC, MANUAL
+  int map_resolution = 1024;               // for MANUAL: height of the importance map
+  int max_bounces = 1024;
+};
+
+struct ImageTileDesc {
+  int number = 0;  // UDIM 1001...; 0 for a plain image
+  std::string path;
+  Buffer<float> pixels;  // (height, width, 4) bottom row first, instead of a path
+  int width = 0, height = 0;
+};
+
+struct ImageDesc {
+  std::string name;
+  std::vector<ImageTileDesc> tiles;  // one with number 0, or the tiles of a UDIM; none = missing
+  std::string colorspace = "sRGB";
+  std::string alpha_mode = "STRAIGHT";  // STRAIGHT, PREMUL, CHANNEL_PACKED, NONE
+  bool is_data = false;
+  bool is_float = false;  // of `pixels`: scene-linear, else encoded bytes in [0, 1]
+};
+
+struct CameraDesc {
+  std::string type = "PERSP";  // PERSP, ORTHO, PANO (equirectangular)
+  Matrix34 camera_to_world = k_identity34;
+  float lens = 50.0f, sensor_width = 36.0f, sensor_height = 24.0f;  // mm
+  std::string sensor_fit = "AUTO";
+  float shift_x = 0.0f, shift_y = 0.0f;
+  float ortho_scale = 6.0f;
+  float clip_start = 0.1f, clip_end = 1000.0f;
+  float aperture_radius = 0.0f, focus_distance = 10.0f;
+  int aperture_blades = 0;
+  float aperture_rotation = 0.0f, aperture_ratio = 1.0f;
+  float longitude_min = -3.14159265f, longitude_max = 3.14159265f;
+  float latitude_min = -1.57079633f, latitude_max = 1.57079633f;
+  float pixel_aspect_x = 1.0f, pixel_aspect_y = 1.0f;
+};
+
+struct RenderSettings {
+  int width = 1, height = 1;  // of the whole picture in pixels
+  int border_x = 0, border_y = 0, border_width = 0, border_height = 0;  // width 0 = the whole
+  int samples = 128;
+  int sample_offset = 0;
+  uint32_t seed = 0;
+  int threads = 0;           // 0 = all
+  float time_limit = 0.0f;   // seconds; 0 = none
+  int max_bounces = 12, diffuse_bounces = 4, glossy_bounces = 4, transmission_bounces = 12;
+  int transparent_max_bounces = 8;
+  int min_light_bounces = 0;  // no roulette before
+  float clamp_direct = 0.0f, clamp_indirect = 10.0f;  // 0 = none
+  float blur_glossy = 1.0f;
+  bool caustics_reflective = true, caustics_refractive = true;
+  bool film_transparent = false;
+  float film_exposure = 1.0f;
+  std::string pixel_filter = "BLACKMAN_HARRIS";  // BOX, GAUSSIAN, BLACKMAN_HARRIS
+  float filter_width = 1.5f;
+  int texture_limit = 0;  // longest side in pixels; 0 = none
+  int start_world = 0;    // the camera's world: a dream can be looked at directly
+};
+
+struct SceneDescription {
+  std::vector<MeshDesc> meshes;
+  std::vector<InstanceDesc> instances;
+  std::vector<MaterialDesc> materials;
+  std::vector<LightDesc> lights;
+  std::vector<WorldDesc> worlds;  // 1 to 5; a dream without its own uses the first
+  std::vector<ImageDesc> images;
+  CameraDesc camera;
+  RenderSettings settings;
+};
+
+}  // namespace tenniel
