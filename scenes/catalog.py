@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scenes and what each shows. `python3 scenes/catalog.py` prints the list."""
+
+SCENES = {
+    "looking_glass": "a still life before a mirror that shows another world (the main scene)",
+    "bench_room": "closed diffuse room, nine monkeys, 567 k triangles, one area lamp; for timing",
+    "material_grid": "one sphere for each closure and texture, lit by an HDRI",
+    "veach_mis": "four glossy plates under four lights: light and BSDF sampling must share",
+    "cornell": "the Cornell box: colour bleeding and soft shadows from an emissive mesh",
+}
+
+if __name__ == "__main__":
+    for name, summary in SCENES.items():
+        print(f"{name:<14} {summary}")
