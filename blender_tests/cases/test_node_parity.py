@@ -328,12 +328,12 @@ class ImageParityTest(ParityCase):
 
 
 def sphere_patch():
-    """Smooth, gently curved patch that fills the unit cell, with UVs."""
+    """Smooth, gently curved unit square, with UVs."""
     count, vertices, faces, uv = 6, [], [], []
     for j in range(count + 1):
         for i in range(count + 1):
             x, y = i / count - 0.5, j / count - 0.5
-            vertices.append((x, y, math.sqrt(1.0 - x * x - y * y)))
+            vertices.append((x, y, math.sqrt(1.0 - x * x - y * y) - 1.0))
     for j in range(count):
         for i in range(count):
             a = j * (count + 1) + i
@@ -345,10 +345,10 @@ def sphere_patch():
 
 PLACEMENTS = {
     "plain": {},
-    "turned": {"rotation": (0, 0, 30), "scale": (1.6, 1.6, 1.6)},
-    "tilted": {"rotation": (20, -35, 10), "scale": (2.0, 2.5, 2.0)},
-    "mirrored": {"rotation": (0, 25, 0), "scale": (-1.7, 1.5, 1.0)},
-    "from behind": {"rotation": (180, 0, 20), "scale": (1.6, 1.6, 1.6)},
+    "turned": {"rotation": (0, 0, 30), "scale": (1.25, 1.25, 1.25)},
+    "tilted": {"rotation": (20, -35, 10), "scale": (1.4, 1.5, 1.2)},
+    "mirrored": {"rotation": (0, 25, 0), "scale": (-1.3, 1.2, 1.0)},
+    "from behind": {"rotation": (180, 0, 20), "scale": (1.25, 1.25, 1.25)},
 }
 
 
