@@ -12,6 +12,9 @@
 
 namespace tenniel {
 
+class NodeRegistry;
+class Texture;
+
 // The compiled programs of one shader tree (of a material, a World or a lamp).
 struct Material {
   std::string name;
@@ -24,7 +27,7 @@ struct Material {
   bool is_transparent = false;  // may let shadow rays through
   bool is_emission_constant = false;
   Spectrum constant_emission;
-  bool has_surface = true;          // false: nothing linked to Surface (index-matched boundary)
+  bool has_surface = true;  // false: only Volume is linked (index-matched boundary)
   bool use_transparent_shadow = true;
   bool sample_as_light = true;
 };
@@ -46,6 +49,8 @@ struct CompileContext {
       texture;
   // Reports something that cannot be honoured: the node's name and a sentence.
   std::function<void(const std::string& node, const std::string& text)> report;
+  const NodeRegistry* registry = nullptr;  // null: node_registry()
+  bool optimise = true;                    // off: neither folds nor shares nodes (for tests)
 };
 
 // Runs the passes of shading/compiler.cpp. Never throws for a bad graph (cycles, unknown nodes or

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -16,7 +18,17 @@
 
 namespace tenniel {
 
+class Program;
 class Texture;
+
+// An input that the node evaluates itself, as often and where it likes (bump: at three points).
+// `result` is a constant, or the register that `program` writes; null program: the constant.
+// Programs are run through ShadingContext alone, so a node may move `surface` in between.
+template <class T>
+struct ProgramInput {
+  Input<T> result;
+  std::shared_ptr<const Program> program;
+};
 
 // What feeds an input that has no link: its own value, or a coordinate that Blender implies.
 // `normal` and `tangent` stay unlinked: the node reads them by ShadingContext::normal.
@@ -37,7 +49,8 @@ struct InputInfo {
   SocketType type = SocketType::number;
   size_t offset = 0;  // of the Input<T> in the node; unused for closures
   ImplicitInput implicit = ImplicitInput::none;
-  uint8_t queries = 0xff;  // ShaderQuery parts that read this input
+  uint8_t queries = 0xff;   // ShaderQuery parts that read this input
+  bool is_program = false;  // the member is a ProgramInput<T>
 };
 
 struct OutputInfo {
@@ -46,13 +59,22 @@ struct OutputInfo {
   size_t offset = 0;
 };
 
-enum class SettingKind : uint8_t { boolean, integer, number, choice, text, table, image, attribute };
+enum class SettingKind : uint8_t {
+  boolean,
+  integer,
+  number,
+  choice,
+  text,
+  table,
+  image,
+  attribute
+};
 
 struct SettingInfo {
   std::string name;  // RNA name
   SettingKind kind = SettingKind::boolean;
   size_t offset = 0;
-  std::vector<std::string> choices;               // identifiers, in the order of the enum
+  std::vector<std::string> choices;  // identifiers, in the order of the enum
   std::function<void(void* node, size_t choice)> set_choice;  // kind == choice
 };
 
@@ -65,14 +87,14 @@ struct NodeType {
   void (*construct)(void*) = nullptr;
   void (*copy)(void* to, const void* from) = nullptr;
   void (*destroy)(void*) = nullptr;
-  EvalFunction eval = nullptr;
+  EvalFunction eval = nullptr;  // null: taken apart by the compiler, never run
   // Which ShaderQuery parts this closure node adds to, from its constant inputs; null: no closure.
   uint8_t (*closure_parts)(const void* node) = nullptr;
   std::vector<InputInfo> inputs;
   std::vector<OutputInfo> outputs;
   std::vector<SettingInfo> settings;
-  size_t closure_weight_offset = 0;  // of the closure's Input<float> weight
-  bool is_pure = true;  // depends on its inputs alone: may be folded
+  InputInfo closure_weight;  // of a closure: its Input<float> weight, set by the compiler
+  bool is_pure = true;       // depends on its inputs alone: may be folded
 
   bool is_closure() const { return closure_parts != nullptr; }
   const InputInfo* input(std::string_view identifier) const;
@@ -85,7 +107,9 @@ struct NodeType {
 //       .input("Value", &MathNode::a).output("Value", &MathNode::result)
 //       .choice("operation", &MathNode::operation, {{"ADD", MathOperation::add}, ...});
 // A node struct has `void eval(ShadingContext&) const`; a closure node also `Input<float> weight`
-// and `uint8_t closure_parts() const`.
+// and `uint8_t closure_parts() const`. Nodes that only direct closures (Mix Shader, outputs) have
+// no eval: the compiler takes them apart. A closure node's eval adds only the parts that
+// ShadingContext::query asks for, each scaled by `weight`.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -93,8 +117,15 @@ class NodeTypeBuilder {
 
   template <class T>
   NodeTypeBuilder& input(std::string identifier, Input<T> Node::*member, uint8_t queries = 0xff) {
+    type_.inputs.push_back(
+        {std::move(identifier), socket_type<T>(), offset_of(member), ImplicitInput::none, queries});
+    return *this;
+  }
+  template <class T>
+  NodeTypeBuilder& input(std::string identifier, ProgramInput<T> Node::*member,
+                         uint8_t queries = 0xff) {
     type_.inputs.push_back({std::move(identifier), socket_type<T>(), offset_of(member),
-                            ImplicitInput::none, queries});
+                            ImplicitInput::none, queries, true});
     return *this;
   }
   // For the input named last.
@@ -103,7 +134,7 @@ class NodeTypeBuilder {
     return *this;
   }
   NodeTypeBuilder& closure_input(std::string identifier) {
-    type_.inputs.push_back({std::move(identifier), SocketType::closure, 0, ImplicitInput::none, 0xff});
+    type_.inputs.push_back({std::move(identifier), SocketType::closure});
     return *this;
   }
   template <class T>
@@ -158,7 +189,7 @@ class NodeTypeBuilder {
   }
   NodeTypeBuilder& closure() {
     type_.is_pure = false;
-    type_.closure_weight_offset = offset_of(&Node::weight);
+    type_.closure_weight = {"weight", SocketType::number, offset_of(&Node::weight)};
     type_.closure_parts = [](const void* node) {
       return static_cast<const Node*>(node)->closure_parts();
     };
@@ -190,9 +221,11 @@ class NodeRegistry {
     type.construct = [](void* p) { new (p) Node(); };
     type.copy = [](void* to, const void* from) { new (to) Node(*static_cast<const Node*>(from)); };
     type.destroy = [](void* p) { static_cast<Node*>(p)->~Node(); };
-    type.eval = [](const void* node, ShadingContext& context) {
-      static_cast<const Node*>(node)->eval(context);
-    };
+    if constexpr (requires(const Node& node, ShadingContext& context) { node.eval(context); }) {
+      type.eval = [](const void* node, ShadingContext& context) {
+        static_cast<const Node*>(node)->eval(context);
+      };
+    }
     by_name_.emplace(idname, &type);
     type.idname = std::move(idname);
     return NodeTypeBuilder<Node>(type);
