@@ -116,7 +116,11 @@ class FieldGrid:
     SAMPLES = 256
     GRADIENT_SHARE = 0.01
     PITCH = 1.5
-    PIXELS = 5
+    PIXELS = 7
+    # Off centre, so that neither the middle of the generated coordinates nor a diagonal, where
+    # tangents and parametric coordinates have a kink, falls into the pixel that is read.
+    X_RANGE = (-0.36, 0.7)
+    Y_RANGE = (-0.34, 0.6)
 
     def __init__(self, scene):
         self.scene = scene
@@ -124,14 +128,14 @@ class FieldGrid:
         self.objects = []
 
     def add(self, label, material, data=None, rotation=(0, 0, 0), scale=(1, 1, 1)):
-        """Add an object (default: a unit square) and return it.
+        """Add an object (default: one quad over X_RANGE and Y_RANGE) and return it.
 
-        Seen from above it must cover the middle 0.9 x 0.9 and stay within 1.05 of its origin.
+        Seen from above it must cover |x|, |y| < 0.32 and stay within 1.18 of its origin.
         """
         if data is None:
-            h = 0.5
-            data = scene_factory.mesh("Tile", [(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0)],
-                                      [(0, 1, 2, 3)], uv=[(0, 0), (1, 0), (1, 1), (0, 1)])
+            (x0, x1), (y0, y1) = self.X_RANGE, self.Y_RANGE
+            data = scene_factory.mesh("Tile", [(x1, y0, 0), (x1, y1, 0), (x0, y1, 0), (x0, y0, 0)],
+                                      [(0, 1, 2, 3)], uv=[(1, 0), (1, 1), (0, 1), (0, 0)])
         data.materials.append(material)
         obj = scene_factory.link(self.scene, data, label, rotation=rotation, scale=scale)
         self.labels.append(label)
