@@ -44,9 +44,9 @@ def draw_node_input(layout, owner, input_name):
 
 def draw_wrapped(layout, text, region_width, icon='NONE'):
     """Draws a sentence as labels, broken to the width of the region."""
-    # Measured in Blender's default font: an average letter is 7 pixels wide at scale 1. The
+    # Measured in Blender's default font: an average letter is 6 pixels wide at scale 1. The
     # scale is 0 as long as there is no window.
-    letter_width = 7 * (bpy.context.preferences.system.ui_scale or 1)
+    letter_width = 6 * (bpy.context.preferences.system.ui_scale or 1)
     letters = max(20, int((region_width - 60) / letter_width))
     column = layout.column(align=True)
     column.scale_y = 0.8

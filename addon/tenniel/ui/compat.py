@@ -17,6 +17,10 @@ _REPLACED = frozenset({
     'NODE_DATA_PT_light',
     'NODE_DATA_PT_spot',
     'OBJECT_PT_visibility',
+    'RENDER_PT_simplify',
+    'RENDER_PT_simplify_greasepencil',
+    'RENDER_PT_simplify_render',
+    'RENDER_PT_simplify_viewport',
     'VIEWLAYER_PT_layer_passes',
 })
 

@@ -101,10 +101,12 @@ class TENNIEL_OBJECT_PT_visibility(ObjectPanel, Panel):
     def draw(self, context):
         obj = context.object
         column = property_column(self.layout)
-        column.prop(obj, 'hide_select', text="Selectable", invert_checkbox=True)
+        # Blender's default for these is an icon button, which does not read as on or off here.
+        as_checkbox = {'toggle': False, 'invert_checkbox': True}
+        column.prop(obj, 'hide_select', text="Selectable", **as_checkbox)
         shown = column.column(heading="Show In", align=True)
-        shown.prop(obj, 'hide_viewport', text="Viewports", invert_checkbox=True)
-        shown.prop(obj, 'hide_render', text="Renders", invert_checkbox=True)
+        shown.prop(obj, 'hide_viewport', text="Viewports", **as_checkbox)
+        shown.prop(obj, 'hide_render', text="Renders", **as_checkbox)
         if obj.type in _SURFACE_TYPES | {'VOLUME', 'EMPTY'}:
             column.column(heading="Mask").prop(obj, 'is_holdout')
 

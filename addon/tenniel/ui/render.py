@@ -137,6 +137,26 @@ class TENNIEL_RENDER_PT_performance(RenderPanel, Panel):
                 icon='INFO')
 
 
+class TENNIEL_RENDER_PT_simplify(RenderPanel, Panel):
+    """Blender's own would stand above Sampling, since it was registered first."""
+    bl_label = "Simplify"
+    bl_options = {'DEFAULT_CLOSED'}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.render, 'use_simplify', text="")
+
+    def draw(self, context):
+        render = context.scene.render
+        column = property_column(self.layout)
+        column.active = render.use_simplify
+        subdivision = column.column(align=True)
+        subdivision.prop(render, 'simplify_subdivision', text="Subdivision: Viewport")
+        subdivision.prop(render, 'simplify_subdivision_render', text="Render")
+        particles = column.column(align=True)
+        particles.prop(render, 'simplify_child_particles', text="Child Particles: Viewport")
+        particles.prop(render, 'simplify_child_particles_render', text="Render")
+
+
 class TENNIEL_RENDER_PT_report(RenderPanel, Panel):
     bl_label = "Render Report"
 
@@ -155,12 +175,14 @@ class TENNIEL_RENDER_PT_report(RenderPanel, Panel):
 
 
 def _draw_report(layout, report, width):
+    # Room for the box and the button.
+    width -= 40
     row = layout.box().row()
     lines = row.column(align=True)
     text = report.text if report.count == 1 else f"{report.text} ({report.count} times)"
-    draw_wrapped(lines, text, width - 80, _SEVERITY_ICONS[report.severity])
+    draw_wrapped(lines, text, width, _SEVERITY_ICONS[report.severity])
     if report.where():
-        draw_wrapped(lines, report.where(), width - 80, 'BLANK1')
+        draw_wrapped(lines, report.where(), width, 'BLANK1')
     if report.object:
         button = row.operator(
             'tenniel.select_report_object', text="", icon='RESTRICT_SELECT_OFF', emboss=False)
@@ -176,6 +198,7 @@ _CLASSES = (
     TENNIEL_RENDER_PT_light_paths_caustics,
     TENNIEL_RENDER_PT_film,
     TENNIEL_RENDER_PT_performance,
+    TENNIEL_RENDER_PT_simplify,
     TENNIEL_RENDER_PT_report,
 )
 

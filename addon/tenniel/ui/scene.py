@@ -12,12 +12,17 @@ _MAX_OBJECTS_SHOWN = 100
 class TENNIEL_UL_dreams(UIList):
     def draw_item(self, _context, layout, _data, item, _icon, _active_data, _active_propname,
                   index):
-        row = layout.row(align=True)
-        row.label(text=str(index + 1))
-        row.prop(item, 'name', text="", emboss=False)
-        world = row.row()
-        world.enabled = False
+        number, rest = _split(layout, 0.08)
+        number.label(text=str(index + 1))
+        name, world = _split(rest, 0.5)
+        name.prop(item, 'name', text="", emboss=False)
+        world.active = False
         world.label(text=item.world.name if item.world else "Scene World", icon='WORLD')
+
+
+def _split(layout, factor):
+    split = layout.split(factor=factor, align=True)
+    return split.row(align=True), split.row(align=True)
 
 
 class ScenePanel(PropertiesPanel):
@@ -58,11 +63,11 @@ class TENNIEL_SCENE_PT_tagged_objects(ScenePanel, Panel):
             self.layout.label(text="No looking glass: nothing behind will be seen", icon='ERROR')
         column = self.layout.column(align=True)
         for obj, tags in tagged[:_MAX_OBJECTS_SHOWN]:
-            row = column.row(align=True)
-            button = row.operator('tenniel.select_report_object', text=obj.name,
+            name, description = _split(column, 0.5)
+            name.alignment = 'LEFT'
+            button = name.operator('tenniel.select_report_object', text=obj.name,
                                   icon=_tag_icon(tags), emboss=False)
             button.object_name = obj.name
-            description = row.row()
             description.alignment = 'RIGHT'
             description.label(text=_tag_text(tags))
         if len(tagged) > _MAX_OBJECTS_SHOWN:
