@@ -76,6 +76,7 @@ struct SettingInfo {
   size_t offset = 0;
   std::vector<std::string> choices;  // identifiers, in the order of the enum
   std::function<void(void* node, size_t choice)> set_choice;  // kind == choice
+  std::string suffix;                                         // kind == attribute
 };
 
 using EvalFunction = void (*)(const void* node, ShadingContext&);
@@ -164,13 +165,17 @@ class NodeTypeBuilder {
   NodeTypeBuilder& setting(std::string name, ImageSlot Node::*member) {
     return plain(std::move(name), SettingKind::image, offset_of(member));
   }
-  NodeTypeBuilder& setting(std::string name, AttributeSlot Node::*member) {
-    return plain(std::move(name), SettingKind::attribute, offset_of(member));
+  // `suffix` is added to the name: ".tangent" for what is derived from a UV map. One setting may
+  // fill several slots.
+  NodeTypeBuilder& setting(std::string name, AttributeSlot Node::*member, std::string suffix = "") {
+    plain(std::move(name), SettingKind::attribute, offset_of(member));
+    type_.settings.back().suffix = std::move(suffix);
+    return *this;
   }
   template <class Enum>
   NodeTypeBuilder& choice(std::string name, Enum Node::*member,
                           std::initializer_list<std::pair<const char*, Enum>> items) {
-    SettingInfo info{std::move(name), SettingKind::choice, offset_of(member), {}, {}};
+    SettingInfo info{std::move(name), SettingKind::choice, offset_of(member), {}, {}, {}};
     std::vector<Enum> values;
     for (const auto& [identifier, value] : items) {
       info.choices.emplace_back(identifier);
@@ -204,7 +209,7 @@ class NodeTypeBuilder {
                                reinterpret_cast<const char*>(&sample));
   }
   NodeTypeBuilder& plain(std::string name, SettingKind kind, size_t offset) {
-    type_.settings.push_back({std::move(name), kind, offset, {}, {}});
+    type_.settings.push_back({std::move(name), kind, offset, {}, {}, {}});
     return *this;
   }
   NodeType& type_;
