@@ -53,6 +53,23 @@ class MessageTest(unittest.TestCase):
         self.assertIn("rtcFoo", text)
         self.assertIn("tenniel build", text)
 
+    def test_second_embree_in_the_process(self):
+        line = "7f00-7f01 r-xp 00000000 08:01 42    {}\n"
+        for library, refused in (("/lib/libembree4.so.4", True), ("/lib/libembree3.so.3", False),
+                                 ("/lib/libtbb.so.12", False)):
+            with self.subTest(library), tempfile.NamedTemporaryFile('w') as maps:
+                maps.write(line.format(library))
+                maps.flush()
+                if not refused:
+                    native._refuse_foreign_embree(maps.name)
+                    continue
+                with self.assertRaisesRegex(native.NativeModuleError, "libembree4.so.4"):
+                    native._refuse_foreign_embree(maps.name)
+
+    def test_processor_without_any_level(self):
+        with self.assertRaisesRegex(native.NativeModuleError, "SSE 4.2"):
+            native._load(os.path.dirname(__file__), frozenset({'sse2'}))
+
 
 class FailedEnableTest(unittest.TestCase):
     """Each in a Blender of its own, which must go on without a trace of the add-on."""

@@ -335,11 +335,12 @@ class CompatTest(unittest.TestCase):
 
     def test_stock_panels(self):
         for name in ('RENDER_PT_color_management', 'RENDER_PT_format', 'RENDER_PT_output',
-                     'DATA_PT_camera', 'DATA_PT_lens',
-                     'DATA_PT_camera_dof', 'DATA_PT_uv_texture', 'WORLD_PT_context_world',
-                     'VIEWLAYER_PT_layer', 'EEVEE_MATERIAL_PT_context_material'):
+                     'DATA_PT_camera', 'DATA_PT_lens', 'DATA_PT_camera_dof',
+                     'DATA_PT_uv_texture', 'WORLD_PT_context_world', 'VIEWLAYER_PT_layer',
+                     'EEVEE_MATERIAL_PT_context_material'):
             self.assertIn(base.ENGINE, getattr(bpy.types, name).COMPAT_ENGINES, name)
-        for name in ('DATA_PT_light', 'RENDER_PT_simplify', 'OBJECT_PT_visibility', 'EEVEE_MATERIAL_PT_surface'):
+        for name in ('DATA_PT_light', 'RENDER_PT_simplify', 'OBJECT_PT_visibility',
+                     'EEVEE_MATERIAL_PT_surface'):
             self.assertNotIn(base.ENGINE, getattr(bpy.types, name).COMPAT_ENGINES, name)
 
     def test_as_many_panels_as_cycles_takes(self):
