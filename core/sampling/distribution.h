@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -57,9 +58,13 @@ class Distribution2D {
  private:
   struct Level {
     int width = 0, height = 0;  // padded to even, the padding is 0
-    std::vector<float> sums;
+    std::vector<float> sums;    // blocks of 2x2 in a row: one descent reads one cache line
+    size_t at(int x, int y) const {
+      const int block = (y >> 1) * (width >> 1) + (x >> 1);
+      return static_cast<size_t>(block) * 4 + static_cast<size_t>((y & 1) * 2 + (x & 1));
+    }
   };
-  std::vector<Level> levels_;  // 0 = finest
+  std::vector<Level> levels_;  // 0 = finest: the density itself
   int width_ = 0, height_ = 0;
   double average_ = 0.0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "math/hash.h"
@@ -8,25 +9,84 @@
 
 namespace tenniel {
 
-// Owen-scrambled Sobol points, padded: each request takes the first one or two Sobol dimensions with
-// its own shuffle of the sample index and its own scramble (Burley 2020, "Practical Hash-based Owen
-// Scrambling"). The numbers depend on (seed, pixel, sample index, dimension) and on nothing else.
+namespace detail {
+constexpr uint32_t reverse_bits(uint32_t x) {
+  x = (x & 0x0000ffffu) << 16 | x >> 16;
+  x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
+  x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+  x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+  return (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+}
+
+// Owen scrambling of a bit-reversed number: every bit is flipped by a hash of the bits below it
+// (Laine & Karras 2011, eq. 12, with the constants of Vegdahl 2021, "Building a Better LK Hash").
+constexpr uint32_t permute_reversed(uint32_t x, uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= seed >> 16 | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return x;
+}
+
+// Second Sobol dimension, bit-reversed: the Pascal matrix modulo 2 times the index, factored into
+// the powers of two (Ahmed 2024, "An Implementation Algorithm of 2D Sobol Sequence"). The first
+// dimension, bit-reversed, is the index itself.
+constexpr uint32_t reversed_sobol_1(uint32_t index) {
+  index ^= index >> 16;
+  index ^= (index & 0xff00ff00u) >> 8;
+  index ^= (index & 0xf0f0f0f0u) >> 4;
+  index ^= (index & 0xccccccccu) >> 2;
+  return index ^ (index & 0xaaaaaaaau) >> 1;
+}
+}  // namespace detail
+
+// Owen-scrambled Sobol points, padded: each request takes the first one or two Sobol dimensions
+// with its own shuffle of the sample index and its own scramble (Burley 2020, "Practical Hash-based
+// Owen Scrambling"). The numbers depend on (seed, pixel, sample index, dimension) and on nothing
+// else.
 class Sampler {
  public:
   explicit Sampler(uint32_t seed) : seed_(mix_bits(seed ^ 0x9e3779b9u)) {}
 
-  void start_sample(int x, int y, uint32_t index);
-  // Requests from here on take dimensions from `dimension` up: one fixed block a path vertex, so
-  // that what one vertex draws never shifts the numbers of the next.
+  void start_sample(int x, int y, uint32_t index) {
+    pixel_ = mix_bits(static_cast<uint32_t>(x) ^ mix_bits(static_cast<uint32_t>(y) ^ seed_));
+    reversed_index_ = detail::reverse_bits(index);
+    dimension_ = 0;
+  }
+  // Requests from here on take dimensions from `dimension` up, one each, be it of one number or
+  // two: one fixed block a path vertex, so that what one vertex draws never shifts the numbers of
+  // the next.
   void set_dimension(uint32_t dimension) { dimension_ = dimension; }
 
-  float get_1d();  // [0, 1)
-  Vec2 get_2d();   // [0, 1)^2
+  // [0, 1)
+  float get_1d() {
+    const uint32_t seed = next_seed();
+    return scrambled(shuffled_index(seed), mix_bits(seed ^ k_salt_x));
+  }
+  // [0, 1)^2
+  Vec2 get_2d() {
+    const uint32_t seed = next_seed();
+    const uint32_t index = shuffled_index(seed);
+    return {scrambled(index, mix_bits(seed ^ k_salt_x)),
+            scrambled(detail::reversed_sobol_1(index), mix_bits(seed ^ k_salt_y))};
+  }
 
  private:
+  static constexpr uint32_t k_salt_x = 0x3c6ef372u, k_salt_y = 0xa54ff53au;
+
+  uint32_t next_seed() { return mix_bits(pixel_ + dimension_++ * 0x9e3779b9u); }
+  // Every aligned block of 2^k indices stays one block, so nets stay nets.
+  uint32_t shuffled_index(uint32_t seed) const {
+    return detail::reverse_bits(detail::permute_reversed(reversed_index_, seed));
+  }
+  static float scrambled(uint32_t reversed_digits, uint32_t seed) {
+    return uint_to_unit(detail::reverse_bits(detail::permute_reversed(reversed_digits, seed)));
+  }
+
   uint32_t seed_;
   uint32_t pixel_ = 0;
-  uint32_t index_ = 0;
+  uint32_t reversed_index_ = 0;
   uint32_t dimension_ = 0;
 };
 

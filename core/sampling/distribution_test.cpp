@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sampling/distribution.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "math/numeric.h"
+#include "sampling/sampler.h"
+
+namespace tenniel {
+namespace {
+
+constexpr int k_samples = 400000;
+
+TEST(AliasTable, ProbabilitiesFollowTheWeights) {
+  const std::vector<float> weights{1.0f, 0.0f, 3.0f, -2.0f, std::nanf(""), 4.0f};
+  const AliasTable table(weights);
+  EXPECT_DOUBLE_EQ(table.total(), 8.0);
+  EXPECT_FLOAT_EQ(table.probability(0), 0.125f);
+  EXPECT_EQ(table.probability(1), 0.0f);
+  EXPECT_FLOAT_EQ(table.probability(2), 0.375f);
+  EXPECT_EQ(table.probability(3), 0.0f);
+  EXPECT_EQ(table.probability(4), 0.0f);
+  EXPECT_FLOAT_EQ(table.probability(5), 0.5f);
+}
+
+TEST(AliasTable, IsEmptyWithoutWeight) {
+  EXPECT_TRUE(AliasTable(std::vector<float>{0.0f, -1.0f}).empty());
+  EXPECT_TRUE(AliasTable(std::vector<float>{}).empty());
+  EXPECT_TRUE(AliasTable(std::vector<float>{std::numeric_limits<float>::infinity()}).empty());
+  EXPECT_TRUE(AliasTable().empty());
+}
+
+// A regular comb over u measures each entry's share to one part in its count.
+TEST(AliasTable, DrawsEachEntryAsOftenAsItSays) {
+  std::vector<float> weights(301);
+  LocalRandom random(8);
+  for (float& w : weights)
+    w = random.get_1d() < 0.3f ? 0.0f : std::exp(8.0f * random.get_1d());
+  const AliasTable table(weights);
+  std::vector<double> drawn(weights.size()), remapped(weights.size());
+  constexpr int k_comb = 301 * 4096;
+  for (int i = 0; i < k_comb; ++i) {
+    const AliasTable::Choice c = table.sample((static_cast<float>(i) + 0.5f) / k_comb);
+    ASSERT_LT(c.index, weights.size());
+    ASSERT_EQ(c.probability, table.probability(c.index));
+    ASSERT_GT(c.probability, 0.0f);
+    ASSERT_TRUE(c.remapped_u >= 0.0f && c.remapped_u < 1.0f);
+    drawn[c.index] += 1.0 / k_comb;
+    remapped[c.index] += static_cast<double>(c.remapped_u) / k_comb;
+  }
+  double sum = 0.0;
+  for (size_t i = 0; i < weights.size(); ++i) {
+    const double p = table.probability(static_cast<uint32_t>(i));
+    sum += p;
+    EXPECT_NEAR(drawn[i], p, 1e-4);
+    EXPECT_NEAR(remapped[i], 0.5 * p, 1e-4) << "remapped_u is not uniform";
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-6);
+}
+
+TEST(AliasTable, NeverDrawsTheImpossible) {
+  std::vector<float> weights(1000, 0.0f);
+  weights[437] = 1e-30f;
+  const AliasTable table(weights);
+  for (int i = 0; i < 5000; ++i)
+    ASSERT_EQ(table.sample(static_cast<float>(i) / 5000.0f).index, 437u);
+  EXPECT_EQ(table.sample(k_one_minus_epsilon).index, 437u);
+}
+
+struct Grid {
+  const char* name;
+  int width, height;
+  std::vector<float> values;
+};
+
+Grid random_grid(const char* name, int width, int height) {
+  Grid grid{name, width, height, {}};
+  LocalRandom random(static_cast<uint32_t>(width * 1000 + height));
+  for (int i = 0; i < width * height; ++i)
+    grid.values.push_back(std::exp(6.0f * random.get_1d()));
+  return grid;
+}
+
+std::vector<Grid> grids() {
+  std::vector<Grid> all{random_grid("power of two", 16, 8), random_grid("odd", 13, 7),
+                        random_grid("row", 9, 1), random_grid("column", 1, 5),
+                        random_grid("cell", 1, 1)};
+  Grid zero_rows = random_grid("zero rows", 10, 6);
+  for (int x = 0; x < 10; ++x)
+    for (const int y : {0, 3, 5})
+      zero_rows.values[static_cast<size_t>(y * 10 + x)] = 0.0f;
+  zero_rows.values[12] = -4.0f;
+  zero_rows.values[13] = std::nanf("");
+  all.push_back(zero_rows);
+  Grid single{"single", 33, 17, std::vector<float>(33 * 17, 0.0f)};
+  single.values[16 * 33 + 32] = 2.5e-20f;
+  all.push_back(single);
+  Grid sun{"sun", 64, 32, std::vector<float>(64 * 32, 1e-3f)};
+  sun.values[700] = 1e6f;
+  all.push_back(sun);
+  return all;
+}
+
+TEST(Distribution2D, PdfIntegratesToOne) {
+  for (const Grid& g : grids()) {
+    const Distribution2D d(g.values, g.width, g.height);
+    double sum = 0.0, total = 0.0;
+    for (int y = 0; y < g.height; ++y) {
+      for (int x = 0; x < g.width; ++x) {
+        const Vec2 p{(static_cast<float>(x) + 0.5f) / static_cast<float>(g.width),
+                     (static_cast<float>(y) + 0.5f) / static_cast<float>(g.height)};
+        sum += static_cast<double>(d.pdf(p)) / (g.width * g.height);
+        const float v = g.values[static_cast<size_t>(y * g.width + x)];
+        if (v > 0.0f) {
+          total += v;
+        } else {
+          EXPECT_EQ(d.pdf(p), 0.0f) << g.name;
+        }
+      }
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-6) << g.name;
+    EXPECT_NEAR(d.average() / (total / (g.width * g.height)), 1.0, 1e-9) << g.name;
+  }
+}
+
+// Histogram of the samples over `columns` x `rows` bins, which need not be those of the grid,
+// against the pdf integrated over each bin by a fine regular sum.
+void expect_samples_follow_pdf(const Grid& g, int columns, int rows) {
+  const Distribution2D d(g.values, g.width, g.height);
+  const auto bins = static_cast<size_t>(columns * rows);
+  std::vector<double> expected(bins), counts(bins);
+  const int sub_x = columns * g.width, sub_y = rows * g.height;  // no cell straddles a bin
+  for (int j = 0; j < sub_y; ++j) {
+    for (int i = 0; i < sub_x; ++i) {
+      const Vec2 p{(static_cast<float>(i) + 0.5f) / static_cast<float>(sub_x),
+                   (static_cast<float>(j) + 0.5f) / static_cast<float>(sub_y)};
+      const int bin = (j / g.height) * columns + i / g.width;
+      expected[static_cast<size_t>(bin)] += static_cast<double>(d.pdf(p)) / sub_x / sub_y;
+    }
+  }
+  LocalRandom random(77);
+  for (int n = 0; n < k_samples; ++n) {
+    const auto s = d.sample(random.get_2d());
+    ASSERT_TRUE(s.position.x >= 0.0f && s.position.x < 1.0f) << g.name;
+    ASSERT_TRUE(s.position.y >= 0.0f && s.position.y < 1.0f) << g.name;
+    ASSERT_GT(s.pdf, 0.0f) << g.name;
+    const int column = static_cast<int>(s.position.x * static_cast<float>(columns));
+    const int row = static_cast<int>(s.position.y * static_cast<float>(rows));
+    counts[static_cast<size_t>(row * columns + column)] += 1.0;
+  }
+  double chi2 = 0.0, freedom = -1.0;
+  for (size_t i = 0; i < bins; ++i) {
+    const double mean = expected[i] * k_samples;
+    if (mean < 5.0) continue;
+    chi2 += (counts[i] - mean) * (counts[i] - mean) / mean;
+    freedom += 1.0;
+  }
+  if (freedom > 0.0) {
+    EXPECT_LT((chi2 - freedom) / std::sqrt(2.0 * freedom), 4.5) << g.name;
+  }
+}
+
+TEST(Distribution2DStatistics, SamplesFollowThePdf) {
+  for (const Grid& g : grids()) {
+    expect_samples_follow_pdf(g, g.width, g.height);
+    expect_samples_follow_pdf(g, 7, 5);
+  }
+}
+
+TEST(Distribution2D, SampleAndPdfAgree) {
+  for (const Grid& g : grids()) {
+    const Distribution2D d(g.values, g.width, g.height);
+    LocalRandom random(5);
+    for (int i = 0; i < 2000; ++i) {
+      const auto s = d.sample(random.get_2d());
+      // A position rounded onto an edge of its cell may be looked up next door.
+      const float fx = s.position.x * static_cast<float>(g.width);
+      const float fy = s.position.y * static_cast<float>(g.height);
+      if (std::abs(fx - std::round(fx)) < 1e-4f || std::abs(fy - std::round(fy)) < 1e-4f) continue;
+      ASSERT_EQ(s.pdf, d.pdf(s.position)) << g.name;
+    }
+  }
+}
+
+TEST(Distribution2D, KeepsStratification) {
+  const Distribution2D d(std::vector<float>(64, 2.0f), 8, 8);
+  const auto s = d.sample({0.3f, 0.8f});
+  EXPECT_NEAR(s.position.x, 0.3f, 1e-6f);
+  EXPECT_NEAR(s.position.y, 0.8f, 1e-6f);
+  EXPECT_FLOAT_EQ(s.pdf, 1.0f);
+}
+
+TEST(Distribution2D, IsEmptyWithoutLight) {
+  const Distribution2D d(std::vector<float>(12, 0.0f), 4, 3);
+  EXPECT_TRUE(d.empty());
+  EXPECT_EQ(d.pdf({0.5f, 0.5f}), 0.0f);
+  EXPECT_EQ(d.average(), 0.0);
+  EXPECT_TRUE(Distribution2D().empty());
+}
+
+TEST(Distribution2D, HugeValuesDoNotOverflow) {
+  const Distribution2D d(std::vector<float>(16, 3e38f), 4, 4);
+  EXPECT_FLOAT_EQ(d.sample({0.1f, 0.9f}).pdf, 1.0f);
+}
+
+}  // namespace
+}  // namespace tenniel
