@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "lights/light_types.h"
+#include "math/frame.h"
+#include "math/ray.h"
+#include "sampling/warp.h"
+
+namespace tenniel {
+
+// Blender's area lamp: a rectangle or an ellipse that shines on one side.
+struct AreaLight {
+  Vec3 center;
+  Vec3 edge_u, edge_v;  // full extents, world space
+  Vec3 normal;          // unit, the side that shines
+  bool is_ellipse = false;
+  bool is_rectangle = true;  // perpendicular edges: sampled by solid angle
+  Spectrum radiance;    // along the normal
+  float tan_spread = 0.0f;         // tan of the complement of half the spread; 0 = no limit
+  float spread_normalization = 1.0f;
+
+  float area() const {
+    const float rectangle = length(cross(edge_u, edge_v));
+    return is_ellipse ? rectangle * (k_pi / 4.0f) : rectangle;
+  }
+  // Sets the limit of the beam; `spread` is Blender's full angle in radians.
+  void set_spread(float spread);
+  std::optional<LightSample> sample(const ShadingPoint& point, Vec2 u) const;
+  std::optional<LampHit> intersect(const Ray& ray) const;
+
+ private:
+  SphericalRectangle seen_from(Vec3 from) const;
+  float attenuation(float cosine) const;
+  float pdf(Vec3 from, float distance, float cosine) const;
+};
+
+}  // namespace tenniel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "lights/light_types.h"
+#include "sampling/distribution.h"
+
+namespace tenniel {
+
+// Light from everywhere. Sampled by an equirectangular map of its radiance, or by the cosine where
+// it is the same in all directions.
+class EnvironmentLight {
+ public:
+  EnvironmentLight() = default;
+  explicit EnvironmentLight(Spectrum constant) : constant_(constant), mean_(mean(constant)) {}
+  // Bakes `radiance` of a unit direction into a width x height map.
+  EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance, int width, int height);
+
+  struct Direction {
+    Vec3 wi;
+    float pdf = 0.0f;
+  };
+  std::optional<Direction> sample(const ShadingPoint& point, Vec2 u) const;
+  float pdf(const ShadingPoint& point, Vec3 wi) const;
+
+  bool is_constant() const { return map_.empty(); }
+  Spectrum constant() const { return constant_; }
+  float mean_radiance() const { return mean_; }
+
+ private:
+  Distribution2D map_;  // x: u = 0.5 - atan2(y, x) / 2 pi; y: v = 1 - acos(z) / pi
+  Spectrum constant_;
+  float mean_ = 0.0f;
+};
+
+// Blender's equirectangular coordinates of a unit direction, and back.
+Vec2 direction_to_equirectangular(Vec3 direction);
+Vec3 equirectangular_to_direction(Vec2 uv);
+
+}  // namespace tenniel

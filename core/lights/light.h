@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "geometry/visibility.h"
+#include "lights/area.h"
+#include "lights/environment.h"
+#include "lights/mesh_light.h"
+#include "lights/point.h"
+#include "lights/spot.h"
+#include "lights/sun.h"
+
+namespace tenniel {
+
+// Anything that next-event estimation may aim at. The world is a light like any other.
+using LightShape = std::variant<PointLight, SpotLight, AreaLight, SunLight, MeshLight,
+                                EnvironmentLight>;
+
+struct Material;
+
+struct Light {
+  std::string name;
+  LightShape shape;
+  Visibility visibility;          // worlds and ray kinds; a mesh light's is its object's
+  const Material* material = nullptr;  // a lamp's node tree; null: the shape's radiance is all
+  bool casts_shadow = true;
+  bool use_mis = true;            // a lamp off MIS is met by no ray
+  int max_bounces = 1024;
+
+  template <class Shape>
+  const Shape* as() const {
+    return std::get_if<Shape>(&shape);
+  }
+};
+
+// A lamp with a surface that rays can meet: it does not stop them.
+bool is_hittable(const Light& light);
+std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray);
+
+// An estimate of the irradiance that `light` may cause at `point`, never 0 where it may cause any:
+// the weight of choosing it.
+float light_importance(const Light& light, const ShadingPoint& point);
+
+}  // namespace tenniel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lights/light.h"
+
+namespace tenniel {
+
+struct LightChoice {
+  uint32_t light = 0;  // index into the scene's lights
+  float probability = 0.0f;
+};
+
+// Chooses a light of one world for a shading point. Few lights are weighed at the point itself; many
+// by their power alone.
+class LightSampler {
+ public:
+  static constexpr size_t k_max_weighed = 48;
+
+  LightSampler() = default;
+  // The lights of `all` that exist in `world`. `all` must outlive the sampler.
+  LightSampler(const std::vector<Light>& all, WorldIndex world);
+
+  // Empty when no light can reach the point.
+  std::optional<LightChoice> choose(const ShadingPoint& point, float u) const;
+  // Probability that `choose` returns `light` at `point`.
+  float probability(const ShadingPoint& point, uint32_t light) const;
+  bool empty() const { return members_.empty(); }
+
+ private:
+  const std::vector<Light>* all_ = nullptr;
+  std::vector<uint32_t> members_;
+  std::vector<int32_t> member_of_light_;  // index in members_, -1 = not in this world
+  AliasTable by_power_;                   // only when there are many
+};
+
+}  // namespace tenniel

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "scene/description.h"
+#include "scene/diagnostics.h"
+#include "scene/scene.h"
+
+namespace tenniel {
+
+struct CompileControl {
+  const std::atomic<bool>* cancelled = nullptr;     // polled between steps and inside the BVH build
+  std::function<void(const char* stage)> on_stage;  // called on the compiling thread
+};
+
+// Checks the description and builds what rendering needs. Mendable trouble goes to `diagnostics`
+// and a neutral stand-in takes its place; a scene that cannot be rendered throws SceneError.
+// Null when cancelled.
+std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnostics& diagnostics,
+                                           const CompileControl& control);
+
+// Stages of compile_scene, in this order, one file each.
+struct SceneCompiler {
+  SceneDescription& description;
+  Diagnostics& diagnostics;
+  const CompileControl& control;
+  Scene& scene;
+  AttributeIds attributes;
+  std::vector<std::vector<std::string>> tangents_of_material;  // UV names, per material
+
+  void compile_camera();
+  void compile_materials();  // also textures
+  void compile_geometry();   // meshes, instances, acceleration structure
+  void compile_lights();     // lamps, mesh lights, environments, light choice
+  bool is_cancelled() const { return control.cancelled && control.cancelled->load(); }
+};
+
+}  // namespace tenniel

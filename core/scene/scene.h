@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "camera/camera.h"
+#include "geometry/accel.h"
+#include "geometry/instance.h"
+#include "geometry/mesh.h"
+#include "image/texture.h"
+#include "lights/light.h"
+#include "lights/light_sampler.h"
+#include "shading/material.h"
+
+namespace tenniel {
+
+// The background of one world.
+struct World {
+  Material material;
+  Visibility visibility;
+  int light = -1;  // index of its EnvironmentLight; -1 = black, or not sampled
+};
+
+// Everything a render reads: made by `compile_scene`, immutable since, shared by all threads.
+struct Scene {
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Material> materials;  // the last one is Blender's default material
+  std::vector<std::unique_ptr<const Texture>> textures;
+  std::vector<std::shared_ptr<const Image>> images;
+  std::vector<Material> lamp_materials;
+  std::shared_ptr<const Accel> accel;
+  std::vector<Light> lights;
+  std::vector<uint32_t> hittable_lamps;  // indices of lights that rays can meet
+  std::array<LightSampler, k_world_count> light_samplers;
+  std::array<World, k_world_count> worlds;
+  Camera camera;
+  CameraInfo camera_info;
+  bool has_transparent_shadows = false;
+  bool has_looking_glasses = false;
+  size_t register_count = 0;  // the most any program needs
+
+  const Material& material_at(const SurfaceInteraction& at, WorldIndex world) const {
+    return materials[at.instance->material(at.mesh->material_slot(at.face), world)];
+  }
+  // World-space point and normals where `ray` met `hit`.
+  SurfaceInteraction interaction(const Ray& ray, const Hit& hit, float footprint) const {
+    const Instance& instance = instances[hit.instance];
+    return make_interaction(ray, hit, instance, meshes[instance.mesh], footprint);
+  }
+  // Bytes of meshes, textures and the acceleration structure.
+  size_t memory_bytes() const;
+};
+
+// Radiance of a World seen along `direction`; `context` is scratch.
+Spectrum background_radiance(const Scene& scene, const World& world, Vec3 direction,
+                             const PathInfo& path, ShadingContext& context);
+// What the surface at `at` emits toward at.wo; `context` is scratch.
+Spectrum surface_emission(const Scene& scene, const Material& material,
+                          const SurfaceInteraction& at, const PathInfo& path,
+                          ShadingContext& context);
+// Factor that a lamp's node tree puts on its radiance, `wi` from the shading point to the lamp.
+Spectrum lamp_emission(const Scene& scene, const Light& light, Vec3 position, Vec3 wi,
+                       float distance, const PathInfo& path, ShadingContext& context);
+
+}  // namespace tenniel
