@@ -48,8 +48,8 @@ class Bsdf {
   // After the last `add`: fixes the probability of each lobe (proportional to weight * albedo(wo)).
   void finish();
 
-  // Value over `value_lobes`, pdf over `pdf_lobes`: a light hidden from some lobes drops their value
-  // but not their pdf, and a looking glass asks for one group in both.
+  // Value over `value_lobes`, pdf over `pdf_lobes`: a light hidden from some lobes drops their
+  // value but not their pdf, and a looking glass asks for one group in both.
   BsdfEval eval(Vec3 wi, LobeSet value_lobes = LobeSet::all(),
                 LobeSet pdf_lobes = LobeSet::all()) const;
   std::optional<BsdfSample> sample(float u_lobe, Vec2 u) const;
@@ -64,7 +64,8 @@ class Bsdf {
   Spectrum albedo(LobeSet lobes = LobeSet::all()) const;
   // Mean of the lobes' normals by weight, unit, world space: the Normal pass.
   Vec3 average_normal() const;
-  // Widens glossy lobes to at least `alpha` (filter glossy after a rough bounce).
+  // Widens glossy lobes to at least `alpha` (filter glossy after a rough bounce); perfectly sharp
+  // lobes stay. Before or after `finish`.
   void widen(float alpha);
 
  private:
@@ -74,7 +75,15 @@ class Bsdf {
     Frame frame;
     Vec3 wo;  // in `frame`
     float probability = 0.0f;
+    LobeClass lobe_class = LobeClass::diffuse;
+    bool is_delta = false;
+    bool is_bumped = false;  // diffuse or translucent, around another normal than the shading one
   };
+  void append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent);
+  // One entry's part of `eval`: its value times weight, its pdf without the probability.
+  LobeEval eval_entry(const Weighted& entry, Vec3 wi) const;
+  bool reaches(LobeClass c, Vec3 wi) const;
+
   std::array<Weighted, k_max_lobes> entries_;
   int count_ = 0;
   LobeSet lobes_ = LobeSet::none(), smooth_lobes_ = LobeSet::none();

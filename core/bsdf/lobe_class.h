@@ -25,7 +25,11 @@ struct LobeSet {
   }
   constexpr bool empty() const { return bits == 0; }
 };
-constexpr LobeSet operator&(LobeSet a, LobeSet b) { return {static_cast<uint8_t>(a.bits & b.bits)}; }
-constexpr LobeSet operator|(LobeSet a, LobeSet b) { return {static_cast<uint8_t>(a.bits | b.bits)}; }
+constexpr LobeSet operator&(LobeSet a, LobeSet b) {
+  return {static_cast<uint8_t>(a.bits & b.bits)};
+}
+constexpr LobeSet operator|(LobeSet a, LobeSet b) {
+  return {static_cast<uint8_t>(a.bits | b.bits)};
+}
 
 }  // namespace tenniel

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bsdf/bsdf.h"
+
+#include <algorithm>
+
+#include "bsdf/shading_normal.h"
+
+namespace tenniel {
+
+namespace {
+
+// Local wo lies at least this far above the lobe's horizon.
+constexpr float k_min_cos = 1e-5f;
+
+// A lobe that the estimate calls almost black is still chosen now and then: its value may be large
+// in a few directions.
+constexpr float k_min_albedo = 1e-3f;
+
+Spectrum albedo_of(const Lobe& lobe, Vec3 wo) {
+  return std::visit([&](const auto& l) { return l.albedo(wo); }, lobe);
+}
+
+Spectrum positive(Spectrum s) {
+  return {std::max(s.r, 0.0f), std::max(s.g, 0.0f), std::max(s.b, 0.0f)};
+}
+
+bool differ(Vec3 a, Vec3 b) {
+  return !(dot(a, b) > 1.0f - 1e-6f);
+}
+
+}  // namespace
+
+void Bsdf::begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo) {
+  geometric_normal_ = geometric_normal;
+  shading_normal_ = shading_normal;
+  wo_ = wo;
+  count_ = 0;
+  lobes_ = smooth_lobes_ = LobeSet::none();
+}
+
+void Bsdf::add(const Lobe& lobe, Spectrum weight, Vec3 normal) {
+  append(lobe, weight, normal, nullptr);
+}
+
+void Bsdf::add(const Lobe& lobe, Spectrum weight, Vec3 normal, Vec3 tangent) {
+  append(lobe, weight, normal, &tangent);
+}
+
+void Bsdf::append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent) {
+  if (!is_finite(weight) || !is_finite(normal)) return;
+  weight = positive(weight);
+  if (is_black(weight)) return;
+  Lobe valid = lobe;
+  if (!std::visit([](auto& l) { return l.make_valid(); }, valid)) return;
+
+  Weighted* entry = entries_.data() + count_;
+  if (count_ < k_max_lobes) {
+    ++count_;
+  } else {
+    entry = std::min_element(
+        entries_.data(), entries_.data() + count_,
+        [](const Weighted& a, const Weighted& b) { return mean(a.weight) < mean(b.weight); });
+    if (mean(entry->weight) >= mean(weight)) return;
+  }
+  const Vec3 raised = ensure_valid_reflection(geometric_normal_, wo_, normal);
+  const bool has_tangent = tangent && is_finite(*tangent);
+  entry->lobe = valid;
+  entry->weight = weight;
+  entry->frame =
+      has_tangent ? Frame::from_normal_tangent(raised, *tangent) : Frame::from_normal(raised);
+  entry->wo = entry->frame.to_local(wo_);
+  entry->wo.z = std::max(entry->wo.z, k_min_cos);
+  entry->lobe_class = std::visit([](const auto& l) { return l.lobe_class(); }, valid);
+  const bool scatters_diffusely =
+      entry->lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(valid);
+  entry->is_bumped = scatters_diffusely && differ(raised, shading_normal_);
+}
+
+void Bsdf::finish() {
+  lobes_ = smooth_lobes_ = LobeSet::none();
+  float total = 0.0f;
+  for (int i = 0; i < count_; ++i) {
+    Weighted& entry = entries_[static_cast<size_t>(i)];
+    entry.is_delta = std::visit([](const auto& l) { return l.is_delta(); }, entry.lobe);
+    const Spectrum albedo = albedo_of(entry.lobe, entry.wo);
+    entry.probability = mean(entry.weight * albedo);
+    if (!entry.is_delta)
+      entry.probability = std::max(entry.probability, k_min_albedo * mean(entry.weight));
+    total += entry.probability;
+    lobes_ = lobes_.with(entry.lobe_class);
+    if (!entry.is_delta) smooth_lobes_ = smooth_lobes_.with(entry.lobe_class);
+  }
+  const float scale = total > 0.0f ? 1.0f / total : 0.0f;
+  for (int i = 0; i < count_; ++i)
+    entries_[static_cast<size_t>(i)].probability *= scale;
+}
+
+// Whether light from `wi` is on the side of the true surface that the class scatters to: shading
+// normals must not let it leak through.
+bool Bsdf::reaches(LobeClass c, Vec3 wi) const {
+  const float cos_geometric = dot(geometric_normal_, wi);
+  if (c == LobeClass::transparent) return true;
+  return c == LobeClass::transmission ? cos_geometric < 0.0f : cos_geometric > 0.0f;
+}
+
+LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
+  const Vec3 wi_local = entry.frame.to_local(wi);
+  LobeEval e = std::visit([&](const auto& l) { return l.eval(entry.wo, wi_local); }, entry.lobe);
+  e.value *= entry.weight;
+  if (entry.is_bumped) e.value *= bump_shadowing(shading_normal_, entry.frame.z, wi);
+  return e;
+}
+
+BsdfEval Bsdf::eval(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
+  BsdfEval sum;
+  const LobeSet wanted = (value_lobes | pdf_lobes) & smooth_lobes_;
+  if (wanted.empty()) return sum;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (entry.is_delta || !wanted.has(entry.lobe_class) || !reaches(entry.lobe_class, wi)) continue;
+    const LobeEval e = eval_entry(entry, wi);
+    if (value_lobes.has(entry.lobe_class)) sum.value += e.value;
+    if (pdf_lobes.has(entry.lobe_class)) sum.pdf += entry.probability * e.pdf;
+  }
+  return sum;
+}
+
+std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
+  const Weighted* chosen = nullptr;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (!(entry.probability > 0.0f)) continue;
+    chosen = &entry;  // the last one also takes what rounding left over
+    if (u_lobe < entry.probability) break;
+    u_lobe -= entry.probability;
+  }
+  if (!chosen) return std::nullopt;
+
+  const std::optional<LobeSample> local =
+      std::visit([&](const auto& l) { return l.sample(chosen->wo, u); }, chosen->lobe);
+  if (!local) return std::nullopt;
+  BsdfSample s;
+  s.wi = chosen->frame.to_world(local->wi);
+  s.lobe_class = chosen->lobe_class;
+  s.is_delta = chosen->is_delta;
+  if (s.lobe_class == LobeClass::transparent) s.wi = -wo_;
+  if (!reaches(s.lobe_class, s.wi)) return std::nullopt;
+  s.roughness = std::visit([](const auto& l) { return l.roughness(); }, chosen->lobe);
+
+  s.pdf = chosen->probability * local->pdf;
+  if (s.is_delta) s.roughness = 0.0f;
+  if (s.is_delta || count_ == 1) {
+    s.weight = chosen->weight * local->weight * (1.0f / chosen->probability);
+    if (chosen->is_bumped) s.weight *= bump_shadowing(shading_normal_, chosen->frame.z, s.wi);
+    return s;
+  }
+  // The mixture of all lobes that reach this direction; the chosen one is not evaluated again.
+  Spectrum value = chosen->weight * local->weight * local->pdf;
+  if (chosen->is_bumped) value *= bump_shadowing(shading_normal_, chosen->frame.z, s.wi);
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (&entry == chosen || entry.is_delta || !reaches(entry.lobe_class, s.wi)) continue;
+    const LobeEval e = eval_entry(entry, s.wi);
+    value += e.value;
+    s.pdf += entry.probability * e.pdf;
+  }
+  s.weight = value / s.pdf;
+  return s;
+}
+
+Spectrum Bsdf::transparency() const {
+  Spectrum sum;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (entry.lobe_class == LobeClass::transparent) sum += entry.weight;
+  }
+  return sum;
+}
+
+Spectrum Bsdf::albedo(LobeSet lobes) const {
+  Spectrum sum;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (lobes.has(entry.lobe_class)) sum += entry.weight * albedo_of(entry.lobe, entry.wo);
+  }
+  return sum;
+}
+
+Vec3 Bsdf::average_normal() const {
+  Vec3 sum;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (entry.lobe_class != LobeClass::transparent) sum += entry.frame.z * mean(entry.weight);
+  }
+  return normalize_or(sum, shading_normal_);
+}
+
+void Bsdf::widen(float alpha) {
+  if (!std::isfinite(alpha)) return;
+  for (int i = 0; i < count_; ++i)
+    std::visit([&](auto& l) { l.widen(std::min(alpha, 1.0f)); },
+               entries_[static_cast<size_t>(i)].lobe);
+  finish();
+}
+
+}  // namespace tenniel

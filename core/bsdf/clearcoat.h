@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "bsdf/ggx.h"
+#include "bsdf/microsurface.h"
+#include "bsdf/specular.h"
+
+namespace tenniel {
+
+// Clearcoat of the Principled BSDF up to Blender 3.6 (Burley 2012, "Physically-Based Shading at
+// Disney", section 5.4 and appendix B.2): GTR1 facets of `alpha`, masking of a GGX surface with
+// alpha 0.25, index 1.5. The factor 0.25 * clearcoat is the caller's weight.
+struct Clearcoat {
+  float alpha = 0.0009f;
+
+  static constexpr LobeClass lobe_class() { return LobeClass::glossy; }
+  bool is_delta() const { return is_specular(alpha, alpha); }
+  float roughness() const { return alpha; }
+  bool make_valid() {
+    if (!std::isfinite(alpha)) return false;
+    alpha = saturate(alpha);
+    return true;
+  }
+  void widen(float least) { alpha = std::max(alpha, least); }
+  static Spectrum albedo(Vec3 wo) { return fresnel()(wo.z); }
+
+  LobeEval eval(Vec3 wo, Vec3 wi) const {
+    if (is_delta() || !(wo.z > 0.0f) || !(wi.z > 0.0f)) return {};
+    return eval_facet(wo, wi, normalize(wo + wi));
+  }
+
+  std::optional<LobeSample> sample(Vec3 wo, Vec2 u) const {
+    if (is_delta()) return SpecularReflection{fresnel()}.sample(wo, u);
+    if (!(wo.z > 0.0f)) return std::nullopt;
+    // Appendix B.2, eq. 5: the facets by their own density D cos.
+    const float log_alpha2 = 2.0f * std::log(alpha);
+    const float sin2 =
+        alpha < 1.0f ? 1.0f - std::expm1((1.0f - u.y) * log_alpha2) / (sqr(alpha) - 1.0f) : u.y;
+    const float sin_theta = safe_sqrt(sin2), phi = k_two_pi * u.x;
+    const Vec3 m{sin_theta * std::cos(phi), sin_theta * std::sin(phi), safe_sqrt(1.0f - sin2)};
+    const Vec3 wi = normalize(reflect(wo, m));
+    if (!(dot(wo, m) > 0.0f) || !(wi.z > 0.0f)) return std::nullopt;
+    const LobeEval e = eval_facet(wo, wi, m);
+    if (!(e.pdf > 0.0f)) return std::nullopt;
+    return LobeSample{wi, e.value / e.pdf, e.pdf};
+  }
+
+ private:
+  static constexpr float k_masking_alpha = 0.25f;
+
+  static Fresnel fresnel() { return Fresnel::principled(Spectrum(0.04f), 1.5f); }
+
+  // GTR1 (eq. 4); the ratio tends to 1 where alpha does.
+  float normal_density(Vec3 m) const {
+    const float excess = sqr(alpha) - 1.0f;
+    const float scale = excess < 0.0f ? excess / (2.0f * std::log(alpha)) : 1.0f;
+    return scale * k_inv_pi / (sqr(m.x) + sqr(m.y) + sqr(alpha * m.z));
+  }
+
+  LobeEval eval_facet(Vec3 wo, Vec3 wi, Vec3 m) const {
+    const float density = normal_density(m);
+    const float pdf = density * m.z / (4.0f * dot(wo, m));
+    // G1(wo) / cos(wo) by the visible area, which is never 0.
+    const float masking = ggx::masking(wi, k_masking_alpha, k_masking_alpha) /
+                          ggx::visible_area(wo, k_masking_alpha, k_masking_alpha);
+    return {fresnel()(dot(wo, m)) * (0.25f * density * masking), pdf};
+  }
+};
+
+}  // namespace tenniel

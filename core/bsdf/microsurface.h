@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "bsdf/beckmann.h"
+#include "bsdf/ggx.h"
+
+namespace tenniel {
+
+// True where a microsurface is too smooth to be told from a mirror (Cycles' limit).
+constexpr bool is_specular(float alpha_x, float alpha_y) {
+  return alpha_x * alpha_y <= 1e-7f;
+}
+
+enum class MicrofacetDistribution : uint8_t { ggx, beckmann };
+
+// The rough boundary that microfacet lobes share. alpha = roughness^2, in [0, 1]; x is the tangent.
+struct Microsurface {
+  MicrofacetDistribution distribution = MicrofacetDistribution::ggx;
+  float alpha_x = 0.5f, alpha_y = 0.5f;
+
+  bool is_specular() const { return tenniel::is_specular(alpha_x, alpha_y); }
+  float mean_alpha() const { return std::sqrt(alpha_x * alpha_y); }
+  void widen(float alpha) {
+    alpha_x = std::max(alpha_x, alpha);
+    alpha_y = std::max(alpha_y, alpha);
+  }
+  // Forces the parameters into range; false if they are not numbers.
+  bool make_valid() {
+    if (!std::isfinite(alpha_x) || !std::isfinite(alpha_y)) return false;
+    alpha_x = saturate(alpha_x);
+    alpha_y = saturate(alpha_y);
+    return true;
+  }
+
+  // The rest must not be called for a specular surface.
+  float normal_density(Vec3 m) const {
+    return is_ggx() ? ggx::normal_density(m, alpha_x, alpha_y)
+                    : beckmann::normal_density(m, alpha_x, alpha_y);
+  }
+  float visible_area(Vec3 w) const {
+    return is_ggx() ? ggx::visible_area(w, alpha_x, alpha_y)
+                    : beckmann::visible_area(w, alpha_x, alpha_y);
+  }
+  float masking(Vec3 w) const {
+    return is_ggx() ? ggx::masking(w, alpha_x, alpha_y) : beckmann::masking(w, alpha_x, alpha_y);
+  }
+  Vec3 sample_visible_normal(Vec3 wo, Vec2 u) const {
+    return is_ggx() ? ggx::sample_visible_normal(wo, alpha_x, alpha_y, u)
+                    : beckmann::sample_visible_normal(wo, alpha_x, alpha_y, u);
+  }
+  // The masking that values use over the one that visible normals are drawn with.
+  float masking_ratio(Vec3 wo, float area) const {
+    return is_ggx() ? 1.0f : masking(wo) * area / std::abs(wo.z);
+  }
+
+ private:
+  bool is_ggx() const { return distribution == MicrofacetDistribution::ggx; }
+};
+
+}  // namespace tenniel
