@@ -23,7 +23,8 @@ from catalog import SCENES  # noqa: E402  (beside this file, which Blender does 
 
 def enable_addon():
     if any(module.__name__ == "tenniel" for module in addon_utils.modules()):
-        addon_utils.enable("tenniel")
+        if addon_utils.enable("tenniel") is None:
+            raise SystemExit("the add-on is there but cannot be enabled; see above")
 
 
 def clear():
