@@ -68,23 +68,34 @@ def _mean_and_variance(values):
     return mean, sum((v - mean) ** 2 for v in values) / (len(values) - 1)
 
 
-def _pooled_variances(per_block):
-    """Raise each block's variance of K values to at least the picture's mean relative variance."""
-    usable = [(m, v) for m, v in per_block if m != 0.0]
-    relative = sum(v / (m * m) for m, v in usable) / len(usable) if usable else 0.0
-    return [max(v, relative * m * m) for m, v in per_block]
+def _pooled_variances(positions, raw, size):
+    """Variances of the block means, steadied by the other blocks.
+
+    The scatter of K values is the largest of: the block's own, the mean over the block and its
+    neighbours, and the picture's mean ratio of variance to brightness times the block's brightness.
+    """
+    total = sum(abs(mean) for mean, _ in raw)
+    ratio = sum(variance for _, variance in raw) / total if total else 0.0
+    own = {position: variance for position, (_, variance) in zip(positions, raw)}
+    result = []
+    for (x, y), (mean, variance) in zip(positions, raw):
+        around = [own[x + dx, y + dy] for dx in (-size, 0, size) for dy in (-size, 0, size)
+                  if (x + dx, y + dy) in own]
+        result.append(max(variance, sum(around) / len(around), ratio * abs(mean)))
+    return result
 
 
 def _statistics(pictures, size):
     """{(x, y, channel): (mean, variance of that mean)} over block means of the K pictures."""
     blocks = [p.block_means(size) for p in pictures]
+    positions = [(x, y) for x, y, _ in blocks[0]]
     result = {}
     for channel in range(4):
-        keys = [(x, y, channel) for x, y, _ in blocks[0]]
         raw = [_mean_and_variance([b[i][2][channel] for b in blocks])
-               for i in range(len(blocks[0]))]
-        for key, (mean, _), variance in zip(keys, raw, _pooled_variances(raw)):
-            result[key] = (mean, variance / len(pictures))
+               for i in range(len(positions))]
+        variances = _pooled_variances(positions, raw, size)
+        for (x, y), (mean, _), variance in zip(positions, raw, variances):
+            result[x, y, channel] = (mean, variance / len(pictures))
     return result
 
 
