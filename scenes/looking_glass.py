@@ -31,7 +31,8 @@ def build(scene):
     parts.area_light("Window", (-1.0, -0.75, 1.0), (0.0, -0.1, 0.1), (0.55, 0.45), power=22.0,
                      color=(1.0, 0.86, 0.70))
     scene.view_settings.look = 'Medium High Contrast'
-    parts.camera((0.17, -1.35, 0.262), (0.005, 0.0, 0.208), focal_length=45.5, f_stop=9.0, focus=(0, 0.4, 0.2))
+    parts.camera((0.17, -1.35, 0.262), (0.005, 0.0, 0.208), focal_length=45.5, f_stop=9.0,
+                 focus=(0.0, 0.4, 0.2))
 
     looks = Looks()
     build_room(looks)

@@ -63,7 +63,7 @@ def plane(name, size, material, **placing):
 
 def box(name, size, material, bevel=0.0, uv_scale=1.0, **placing):
     """A box about its centre, its edges rounded by `bevel`. UVs are metres times `uv_scale`,
-    projected along the axis nearest to each face's normal, u along the longer horizontal side."""
+    projected along the axis nearest to each face's normal; u and v follow the other two axes."""
     builder = bmesh.new()
     bmesh.ops.create_cube(builder, size=1.0)
     bmesh.ops.scale(builder, vec=size, verts=builder.verts)
