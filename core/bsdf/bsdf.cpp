@@ -76,6 +76,16 @@ void Bsdf::append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* ta
   entry->is_bumped = scatters_diffusely && differ(raised, shading_normal_);
 }
 
+void Bsdf::drop_caustics(bool reflective, bool refractive) {
+  const auto is_dropped = [&](const Weighted& entry) {
+    if (entry.lobe_class == LobeClass::glossy) return reflective;
+    return entry.lobe_class == LobeClass::transmission && refractive &&
+           !std::holds_alternative<Translucent>(entry.lobe);
+  };
+  count_ = static_cast<int>(
+      std::remove_if(entries_.begin(), entries_.begin() + count_, is_dropped) - entries_.begin());
+}
+
 void Bsdf::finish() {
   lobes_ = smooth_lobes_ = LobeSet::none();
   float total = 0.0f;

@@ -45,6 +45,8 @@ class Bsdf {
   // dropped, the smallest weight first.
   void add(const Lobe& lobe, Spectrum weight, Vec3 normal);
   void add(const Lobe& lobe, Spectrum weight, Vec3 normal, Vec3 tangent);
+  // Takes away lobes that make caustics: mirror-like reflection, refraction. Before `finish`.
+  void drop_caustics(bool reflective, bool refractive);
   // After the last `add`: fixes the probability of each lobe (proportional to weight * albedo(wo)).
   void finish();
 

@@ -28,6 +28,13 @@ Vec2 window_of(const void* camera, Vec3 world_point) {
 
 }  // namespace
 
+size_t SceneCompiler::worlds_in_use() const {
+  const auto is_glass = [](const InstanceDesc& i) { return i.looking_glass.dream > 0; };
+  const bool leaves = description.settings.start_world > 0 ||
+                      std::any_of(description.instances.begin(), description.instances.end(), is_glass);
+  return leaves ? k_world_count : 1;
+}
+
 void SceneCompiler::compile_camera() {
   const CameraDesc& desc = description.camera;
   const RenderSettings& settings = description.settings;

@@ -35,6 +35,8 @@ struct SceneCompiler {
   void compile_materials();  // also textures
   void compile_geometry();   // meshes, instances, acceleration structure
   void compile_lights();     // lamps, mesh lights, environments, light choice
+  // 1 where no path can leave this side, else all.
+  size_t worlds_in_use() const;
   bool is_cancelled() const { return control.cancelled && control.cancelled->load(); }
 };
 

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator/direct_light.h"
+
+#include <algorithm>
+
+#include "sampling/mis.h"
+
+namespace tenniel {
+
+namespace {
+
+// The lobes that `light` shows itself to in `world`.
+LobeSet lobes_that_see(Visibility visibility, WorldIndex world) {
+  LobeSet lobes = LobeSet::none();
+  if (visibility.seen_by(world, RayKind::diffuse)) lobes = lobes.with(LobeClass::diffuse);
+  if (visibility.seen_by(world, RayKind::glossy)) lobes = lobes.with(LobeClass::glossy);
+  if (visibility.seen_by(world, RayKind::transmission))
+    lobes = lobes.with(LobeClass::transmission);
+  return lobes;
+}
+
+std::optional<LightSample> sample_mesh_light(const Scene& scene, const MeshLight& light,
+                                             const ShadingPoint& point, const PathInfo& path,
+                                             Vec2 u, ShadingContext& scratch) {
+  const auto drawn = light.sample(point, u);
+  if (!drawn) return {};
+  const Instance& instance = light.instance();
+  const Material& material = scene.materials[instance.material(
+      light.mesh().material_slot(drawn->hit.face), path.world)];
+  if (!material.emits || !material.sample_as_light) return {};
+  Spectrum radiance = material.constant_emission;
+  if (!material.is_emission_constant) {
+    const Ray ray{point.position, drawn->wi};
+    radiance = surface_emission(scene, material, scene.interaction(ray, drawn->hit, 0.0f), path,
+                                scratch);
+  }
+  return LightSample{drawn->wi, drawn->distance, radiance, drawn->pdf, false};
+}
+
+std::optional<LightSample> sample_environment(const Scene& scene, const EnvironmentLight& light,
+                                              const ShadingPoint& point, const PathInfo& path,
+                                              Vec2 u, ShadingContext& scratch) {
+  const auto drawn = light.sample(point, u);
+  if (!drawn) return {};
+  const Spectrum radiance =
+      background_radiance(scene, scene.worlds[path.world], drawn->wi, path, scratch);
+  return LightSample{drawn->wi, k_infinity, radiance, drawn->pdf, false};
+}
+
+std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
+                                        const ShadingPoint& point, const PathInfo& path, Vec2 u,
+                                        ShadingContext& scratch) {
+  if (const auto* mesh = light.as<MeshLight>())
+    return sample_mesh_light(scene, *mesh, point, path, u, scratch);
+  if (const auto* environment = light.as<EnvironmentLight>())
+    return sample_environment(scene, *environment, point, path, u, scratch);
+  auto sample = std::visit(
+      [&](const auto& lamp) -> std::optional<LightSample> {
+        if constexpr (requires { lamp.intersect(Ray()); }) return lamp.sample(point, u);
+        else return {};
+      },
+      light.shape);
+  if (sample && light.material) {
+    const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
+    sample->radiance *= lamp_emission(scene, light, position, sample->wi, sample->distance, path,
+                                      scratch);
+  }
+  return sample;
+}
+
+}  // namespace
+
+Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
+                       WorldIndex world, const PathInfo& path, ShadingContext& scratch) {
+  const uint32_t mask = ray_mask(world, RayKind::shadow);
+  if (!scene.has_transparent_shadows)
+    return scene.accel->occluded(ray, mask) ? Spectrum() : Spectrum(1.0f);
+  Spectrum through(1.0f);
+  Ray rest = ray;
+  PathInfo info = path;
+  info.kind = RayKind::shadow;
+  info.world = world;
+  ++info.ray_depth;
+  while (const auto hit = scene.accel->intersect(rest, mask)) {
+    const SurfaceInteraction at = scene.interaction(rest, *hit, 0.0f);
+    const Material& material = scene.material_at(at, world);
+    const bool passes = material.is_transparent && material.use_transparent_shadow &&
+                        info.transparent_depth <= settings.transparent_max_bounces;
+    if (!passes) return {};
+    scratch.surface = at;
+    scratch.path = info;
+    scratch.domain = ShaderDomain::surface;
+    scratch.camera = &scene.camera_info;
+    scratch.material_pass_index = material.pass_index;
+    scratch.begin(k_query_transparency);
+    material.transparency.run(scratch);
+    through *= scratch.transparency;
+    if (!(max_component(through) > 0.0f)) return {};
+    ++info.transparent_depth;
+    rest.t_max -= hit->t;
+    rest.origin = offset_ray_origin(at.position, at.geometric_normal, rest.direction);
+    rest.t_min = 0.0f;
+    if (!(rest.t_max > 0.0f)) break;
+  }
+  return through;
+}
+
+Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
+                      const WorldGroup& group, const ShadingPoint& point, Worker& worker) {
+  const float u_light = worker.sampler.get_1d();
+  const Vec2 u = worker.sampler.get_2d();
+  const auto choice = scene.light_samplers[group.world].choose(point, u_light);
+  if (!choice) return {};
+  const Light& light = scene.lights[choice->light];
+  if (state.info.ray_depth > light.max_bounces) return {};
+  PathInfo path = state.info;
+  path.world = group.world;
+  ++path.ray_depth;
+  const auto sample = sample_light(scene, light, point, path, u, worker.light);
+  if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
+
+  const Bsdf& bsdf = worker.surface.bsdf;
+  const LobeSet seeing = lobes_that_see(light.visibility, group.world) & group.lobes;
+  const BsdfEval scattered = bsdf.eval(sample->wi, seeing, group.lobes);
+  if (is_black(scattered.value)) return {};
+
+  const float pdf = sample->pdf * choice->probability;
+  const bool can_be_met = !sample->is_delta && light.use_mis;
+  const float weight = can_be_met ? power_heuristic(pdf, scattered.pdf) : 1.0f;
+  Spectrum result = scattered.value * sample->radiance * (weight / pdf);
+
+  const SurfaceInteraction& at = worker.surface.surface;
+  if (light.casts_shadow) {
+    Ray ray;
+    ray.origin = offset_ray_origin(at.position, at.geometric_normal, sample->wi);
+    ray.direction = sample->wi;
+    // Short of the light, so that an emissive mesh does not shadow itself.
+    ray.t_max = sample->distance * (1.0f - 1e-4f);
+    ray.time = state.ray.time;
+    result *= transmittance(scene, settings, ray, group.world, state.info, worker.light);
+  }
+  return result;
+}
+
+Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Worker& worker) {
+  Spectrum sum;
+  for (const uint32_t index : scene.hittable_lamps) {
+    const Light& light = scene.lights[index];
+    if (!light.visibility.seen_by(state.info.world, state.info.kind)) continue;
+    const auto hit = intersect_lamp(light, state.ray);
+    // A sun lies behind everything: only a ray that meets nothing gets there.
+    if (!hit || hit->t > t_max || (hit->t == k_infinity && t_max < k_infinity)) continue;
+    float weight = 1.0f;
+    if (state.pdf > 0.0f) {
+      // The density is seen from where the path last scattered, also through transparent surfaces.
+      Ray from_origin = state.ray;
+      from_origin.origin = state.origin.position;
+      from_origin.t_min = 0.0f;
+      const auto seen = intersect_lamp(light, from_origin);
+      const float light_pdf =
+          seen ? seen->pdf * scene.light_samplers[state.info.world].probability(state.origin, index)
+               : 0.0f;
+      weight = power_heuristic(state.pdf, light_pdf);
+    }
+    Spectrum radiance = hit->radiance;
+    if (light.material) {
+      const Vec3 position = state.ray.at(std::min(hit->t, 1e6f));
+      radiance *= lamp_emission(scene, light, position, state.ray.direction, hit->t, state.info,
+                                worker.light);
+    }
+    sum += radiance * weight;
+  }
+  return sum;
+}
+
+float surface_emission_weight(const Scene& scene, const PathState& state,
+                              const SurfaceInteraction& at) {
+  if (state.pdf <= 0.0f || at.instance->light < 0) return 1.0f;
+  const auto light = static_cast<uint32_t>(at.instance->light);
+  const auto* mesh = scene.lights[light].as<MeshLight>();
+  const float light_pdf =
+      mesh->pdf(at, state.origin.position) *
+      scene.light_samplers[state.info.world].probability(state.origin, light);
+  return power_heuristic(state.pdf, light_pdf);
+}
+
+float background_weight(const Scene& scene, const PathState& state) {
+  const World& world = scene.worlds[state.info.world];
+  if (state.pdf <= 0.0f || world.light < 0) return 1.0f;
+  const auto light = static_cast<uint32_t>(world.light);
+  const auto* environment = scene.lights[light].as<EnvironmentLight>();
+  const float light_pdf =
+      environment->pdf(state.origin, state.ray.direction) *
+      scene.light_samplers[state.info.world].probability(state.origin, light);
+  return power_heuristic(state.pdf, light_pdf);
+}
+
+}  // namespace tenniel

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "integrator/mirror.h"
+#include "integrator/path_state.h"
+#include "integrator/worker.h"
+#include "scene/description.h"
+
+namespace tenniel {
+
+// Next-event estimation for one group of lobes of the surface in `worker.surface`: light that a
+// sampled light sends there in the group's world, times the group's scattering. The partner of the
+// light sample's weight is the density of the same group alone.
+Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
+                      const WorldGroup& group, const ShadingPoint& point, Worker& worker);
+
+// Share of the light that reaches `ray.t_max` in `world`; surfaces dim it by their transparency.
+Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
+                       WorldIndex world, const PathInfo& path, ShadingContext& scratch);
+
+// Light met by chance on the segment `state.ray` up to `t_max`: lamps in its way.
+Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Worker& worker);
+
+// Weight of an emissive surface, or of the background, met by chance.
+float surface_emission_weight(const Scene& scene, const PathState& state,
+                              const SurfaceInteraction& at);
+float background_weight(const Scene& scene, const PathState& state);
+
+}  // namespace tenniel

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator/path_integrator.h"
+
+#include "integrator/direct_light.h"
+#include "integrator/limits.h"
+#include "integrator/mirror.h"
+#include "integrator/path_state.h"
+
+namespace tenniel {
+
+namespace {
+
+// Requests to the sampler per path vertex: two light samples of two, a lobe, a direction, roulette.
+constexpr uint32_t k_dimensions_per_vertex = 8;
+constexpr uint32_t k_camera_dimensions = 8;
+// A path that only passes through surfaces ends here whatever the settings say.
+constexpr uint32_t k_max_vertices = 1024;
+
+// Blender's default of ViewLayer.pass_alpha_threshold: what counts as seen in the data passes.
+constexpr float k_pass_alpha_threshold = 0.5f;
+
+// One path under way.
+class PathTracer {
+ public:
+  PathTracer(const Scene& scene, const RenderSettings& settings, Worker& worker)
+      : scene_(scene), settings_(settings), worker_(worker) {}
+
+  SampleResult trace(Vec2 raster);
+
+ private:
+  bool start(Vec2 raster);
+  void add(Spectrum radiance, int bounces);
+  void add_lamps(float t_max);
+  void add_background();
+  void add_emission(const SurfaceInteraction& at);
+  const Material& evaluate(const SurfaceInteraction& at);
+  bool apply_holdout(const SurfaceInteraction& at);
+  void record_first_surface(const SurfaceInteraction& at);
+  bool survives();
+  void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
+  bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
+  bool pass_through(const SurfaceInteraction& at, Spectrum weight, WorldIndex world);
+
+  const Scene& scene_;
+  const RenderSettings& settings_;
+  Worker& worker_;
+  PathState state_;
+  SampleResult result_;
+  bool is_recorded_ = false;
+};
+
+bool PathTracer::start(Vec2 raster) {
+  worker_.sampler.set_dimension(PathIntegrator::k_caller_dimensions);
+  const auto camera_ray = scene_.camera.sample_ray(raster, worker_.sampler.get_2d());
+  if (!camera_ray) return false;
+  state_.ray = camera_ray->ray;
+  state_.cone = camera_ray->cone;
+  state_.info.world = static_cast<WorldIndex>(settings_.start_world);
+  return true;
+}
+
+SampleResult PathTracer::trace(Vec2 raster) {
+  if (!start(raster)) return result_;
+  for (; state_.vertices < k_max_vertices; ++state_.vertices) {
+    const uint32_t mask = ray_mask(state_.info.world, state_.info.kind);
+    const auto hit = scene_.accel->intersect(state_.ray, mask);
+    add_lamps(hit ? hit->t : k_infinity);
+    if (!hit) {
+      add_background();
+      break;
+    }
+    const SurfaceInteraction at =
+        scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
+    worker_.sampler.set_dimension(k_camera_dimensions +
+                                  state_.vertices * k_dimensions_per_vertex);
+    evaluate(at);
+    if (apply_holdout(at)) break;
+    add_emission(at);
+    record_first_surface(at);
+    if (!survives()) break;
+
+    const Bsdf& bsdf = worker_.surface.bsdf;
+    const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
+    const ShadingPoint point{at.position, at.shading_normal,
+                             !bsdf.smooth_lobes().has(LobeClass::transmission)};
+    add_direct_light(groups, point);
+    if (!bounce(at, groups, point)) break;
+  }
+  return result_;
+}
+
+void PathTracer::add(Spectrum radiance, int bounces) {
+  result_.radiance += clamped(state_.throughput * radiance, bounces, settings_);
+}
+
+// Light met by chance counts as the bounce before it did.
+void PathTracer::add_lamps(float t_max) {
+  if (scene_.hittable_lamps.empty()) return;
+  const Spectrum radiance = lamps_met(scene_, state_, t_max, worker_);
+  if (!is_black(radiance)) add(radiance, state_.info.ray_depth - 1);
+}
+
+void PathTracer::add_background() {
+  if (state_.sees_background && settings_.film_transparent) {
+    result_.transparency += mean(state_.throughput);
+    return;
+  }
+  const World& world = scene_.worlds[state_.info.world];
+  if (!world.material.emits || !world.visibility.seen_by(state_.info.world, state_.info.kind))
+    return;
+  const Spectrum radiance =
+      background_radiance(scene_, world, state_.ray.direction, state_.info, worker_.light);
+  add(radiance * background_weight(scene_, state_), state_.info.ray_depth - 1);
+}
+
+const Material& PathTracer::evaluate(const SurfaceInteraction& at) {
+  const Material& material = scene_.material_at(at, state_.info.world);
+  ShadingContext& context = worker_.surface;
+  context.surface = at;
+  context.path = state_.info;
+  context.domain = ShaderDomain::surface;
+  context.camera = &scene_.camera_info;
+  context.material_pass_index = material.pass_index;
+  context.begin(state_.ends_after_transparent ? k_query_emission | k_query_transparency
+                                              : k_query_surface);
+  material.surface.run(context);
+  if (state_.ends_after_transparent) return material;
+
+  Bsdf& bsdf = context.bsdf;
+  bsdf.add(Transparent(), context.transparency, at.geometric_normal);
+  if (state_.info.kind == RayKind::diffuse)
+    bsdf.drop_caustics(!settings_.caustics_reflective, !settings_.caustics_refractive);
+  bsdf.finish();
+  const float alpha = filter_glossy_alpha(state_.min_pdf, settings_);
+  if (alpha > 0.0f) bsdf.widen(alpha);
+  return material;
+}
+
+// What is held out leaves a hole in the film. True when nothing is left of the path.
+bool PathTracer::apply_holdout(const SurfaceInteraction& at) {
+  if (!state_.sees_background) return false;
+  const float holdout = at.instance->is_holdout
+                            ? 1.0f - mean(worker_.surface.transparency)
+                            : worker_.surface.holdout;
+  if (!(holdout > 0.0f)) return false;
+  result_.transparency += mean(state_.throughput) * holdout;
+  if (!at.instance->is_holdout) return holdout >= 1.0f;
+  worker_.surface.emission = Spectrum();
+  Bsdf& bsdf = worker_.surface.bsdf;
+  bsdf.begin(at.geometric_normal, at.shading_normal, at.wo);
+  bsdf.add(Transparent(), worker_.surface.transparency, at.geometric_normal);
+  bsdf.finish();
+  return false;
+}
+
+void PathTracer::add_emission(const SurfaceInteraction& at) {
+  const Spectrum emission = worker_.surface.emission;
+  if (is_black(emission)) return;
+  add(emission * surface_emission_weight(scene_, state_, at), state_.info.ray_depth - 1);
+}
+
+void PathTracer::record_first_surface(const SurfaceInteraction& at) {
+  if (is_recorded_ || mean(worker_.surface.transparency) >= k_pass_alpha_threshold) return;
+  is_recorded_ = true;
+  result_.depth = scene_.camera.depth(at.position);
+  result_.normal = state_.ends_after_transparent || worker_.surface.bsdf.empty()
+                       ? at.shading_normal
+                       : worker_.surface.bsdf.average_normal();
+}
+
+bool PathTracer::survives() {
+  const float probability = survival_probability(state_, settings_);
+  if (probability >= 1.0f) return true;
+  if (worker_.sampler.get_1d() >= probability) return false;
+  state_.throughput *= 1.0f / probability;
+  return true;
+}
+
+void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint& point) {
+  if (state_.ends_after_transparent) return;
+  const LobeSet smooth = worker_.surface.bsdf.smooth_lobes();
+  for (const WorldGroup& group : {groups.keeping, groups.entering}) {
+    if ((smooth & group.lobes).empty()) continue;
+    const Spectrum radiance =
+        direct_light(scene_, settings_, state_, group, point, worker_);
+    if (!is_black(radiance)) add(radiance, state_.info.ray_depth);
+  }
+}
+
+// Continues behind the surface as if it were not there.
+bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight, WorldIndex world) {
+  state_.throughput *= weight;
+  if (++state_.info.transparent_depth > settings_.transparent_max_bounces) return false;
+  state_.info.world = world;
+  state_.cone.radius = at.footprint;
+  state_.ray.origin = offset_ray_origin(at.position, at.geometric_normal, state_.ray.direction);
+  state_.ray.t_min = 0.0f;
+  state_.ray.t_max -= at.t;
+  return state_.ray.t_max > 0.0f;
+}
+
+bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
+                        const ShadingPoint& point) {
+  const ShadingContext& context = worker_.surface;
+  if (state_.ends_after_transparent) {
+    const WorldIndex world = groups.of(LobeClass::transparent).world;
+    return !is_black(context.transparency) && pass_through(at, context.transparency, world);
+  }
+  const float u_lobe = worker_.sampler.get_1d();
+  auto sample = context.bsdf.sample(u_lobe, worker_.sampler.get_2d());
+  if (!sample) return false;
+  const WorldGroup& group = groups.of(sample->lobe_class);
+  if (sample->lobe_class == LobeClass::transparent)
+    return pass_through(at, sample->weight, group.world);
+
+  // Where lobes lead to different worlds a direction is worth what its own group makes of it.
+  const bool is_mixed = !(context.bsdf.lobes() & groups.entering.lobes).empty();
+  if (is_mixed && !sample->is_delta) {
+    const BsdfEval own = context.bsdf.eval(sample->wi, group.lobes, group.lobes);
+    if (!(own.pdf > 0.0f)) return false;
+    sample->weight = own.value / own.pdf;
+    sample->pdf = own.pdf;
+  }
+  state_.throughput *= sample->weight;
+  if (!(max_component(state_.throughput) > 0.0f)) return false;
+  count_bounce(state_, *sample, settings_);
+  state_.info.world = group.world;
+  state_.pdf = sample->is_delta ? 0.0f : sample->pdf;
+  if (!sample->is_delta) state_.min_pdf = std::min(state_.min_pdf, sample->pdf);
+  state_.origin = point;
+  state_.cone = {at.footprint, std::max(state_.cone.spread, 0.5f * sample->roughness)};
+  state_.ray.origin = offset_ray_origin(at.position, at.geometric_normal, sample->wi);
+  state_.ray.direction = sample->wi;
+  state_.ray.t_min = 0.0f;
+  state_.ray.t_max = k_infinity;
+  return true;
+}
+
+}  // namespace
+
+SampleResult PathIntegrator::trace(Vec2 raster, Worker& worker) const {
+  return PathTracer(scene_, settings_, worker).trace(raster);
+}
+
+}  // namespace tenniel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "integrator/worker.h"
+#include "math/spectrum.h"
+#include "math/vec.h"
+#include "scene/description.h"
+#include "scene/scene.h"
+
+namespace tenniel {
+
+// One sample of one pixel.
+struct SampleResult {
+  Spectrum radiance;
+  float transparency = 0.0f;  // of the film: 1 - alpha
+  float depth = 1e10f;        // Blender's value where nothing is hit
+  Vec3 normal;                // world space; zero where nothing is hit
+};
+
+// Unidirectional path tracing with next-event estimation. Const; one Worker a thread.
+class PathIntegrator {
+ public:
+  // Both must outlive the integrator.
+  PathIntegrator(const Scene& scene, const RenderSettings& settings)
+      : scene_(scene), settings_(settings) {}
+
+  // `raster`: position on the film in pixels, (0, 0) the lower left corner of the whole picture.
+  // The worker's sampler stands at the sample; its first dimensions belong to the caller.
+  SampleResult trace(Vec2 raster, Worker& worker) const;
+
+  // Dimensions of the sampler that the caller may use before `trace`.
+  static constexpr uint32_t k_caller_dimensions = 4;
+
+ private:
+  const Scene& scene_;
+  const RenderSettings& settings_;
+};
+
+}  // namespace tenniel

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+#include "lights/light_types.h"
+#include "math/ray.h"
+#include "math/spectrum.h"
+#include "shading/shading_context.h"
+
+namespace tenniel {
+
+// Everything a path carries from one vertex to the next. `info.world` is the world of the current
+// segment, a function of the path's own past alone.
+struct PathState {
+  Ray ray;
+  RayCone cone;
+  Spectrum throughput{1.0f};
+  PathInfo info;
+  // The last vertex that scattered, for the weight of light met by chance. `pdf` 0: no light sample
+  // could have made this segment (camera ray, or a delta lobe).
+  ShadingPoint origin;
+  float pdf = 0.0f;
+  float distance_from_origin = 0.0f;  // metres, over transparent surfaces since
+  // Least density of any bounce so far, for filter glossy.
+  float min_pdf = std::numeric_limits<float>::max();
+  bool sees_background = true;       // nothing but transparent surfaces so far
+  bool is_specular_so_far = true;    // only deltas and transparent surfaces so far
+  bool ends_after_transparent = false;  // a bounce limit is reached: only what passes through goes on
+  uint32_t vertices = 0;             // surfaces met, transparent ones included
+};
+
+}  // namespace tenniel

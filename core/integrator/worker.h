@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sampling/sampler.h"
+#include "scene/scene.h"
+#include "shading/shading_context.h"
+
+namespace tenniel {
+
+// What one thread needs of its own to trace paths; made once, so that no sample allocates.
+struct Worker {
+  Worker(const Scene& scene, uint32_t seed) : sampler(seed) {
+    surface.reserve(scene.register_count);
+    light.reserve(scene.register_count);
+  }
+  Sampler sampler;
+  ShadingContext surface;  // the surface the path is at
+  ShadingContext light;    // what a light, a shadow caster or the background says meanwhile
+};
+
+}  // namespace tenniel

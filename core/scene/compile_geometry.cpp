@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes and instances, ready for rays.
+#include <tbb/parallel_for.h>
+
+#include <set>
+
+#include "scene/compile_scene.h"
+
+namespace tenniel {
+
+namespace {
+
+template <class T>
+const T* data_or_null(const Buffer<T>& buffer, size_t size) {
+  return buffer && buffer->size() >= size ? buffer->data() : nullptr;
+}
+
+Mesh mesh_from(const MeshDesc& desc) {
+  PolygonSoup soup;
+  soup.name = desc.name;
+  const auto size_of = [](const auto& buffer) { return buffer ? buffer->size() : size_t{0}; };
+  soup.vertex_count = size_of(desc.positions) / 3;
+  soup.corner_count = size_of(desc.corner_vertices);
+  soup.polygon_count = std::min(size_of(desc.polygon_starts), size_of(desc.polygon_sizes));
+  soup.triangle_count = size_of(desc.triangle_corners) / 3;
+  soup.positions = data_or_null(desc.positions, 0);
+  soup.corner_vertices = data_or_null(desc.corner_vertices, 0);
+  soup.polygon_starts = data_or_null(desc.polygon_starts, 0);
+  soup.polygon_sizes = data_or_null(desc.polygon_sizes, 0);
+  soup.triangle_corners = data_or_null(desc.triangle_corners, 0);
+  soup.material_indices = data_or_null(desc.material_indices, soup.polygon_count);
+  soup.smooth_flags = data_or_null(desc.smooth_flags, soup.polygon_count);
+  soup.vertex_normals = data_or_null(desc.vertex_normals, soup.vertex_count * 3);
+  soup.corner_normals = data_or_null(desc.corner_normals, soup.corner_count * 3);
+  return build_mesh(soup);
+}
+
+size_t element_count(const MeshDesc& desc, AttributeDomain domain) {
+  switch (domain) {
+    case AttributeDomain::vertex: return desc.positions ? desc.positions->size() / 3 : 0;
+    case AttributeDomain::corner: return desc.corner_vertices ? desc.corner_vertices->size() : 0;
+    case AttributeDomain::face: return desc.polygon_starts ? desc.polygon_starts->size() : 0;
+  }
+  return 0;
+}
+
+// Keeps the attributes that some program asks for.
+void add_attributes(Mesh& mesh, MeshDesc& desc, const AttributeIds& ids,
+                    Diagnostics& diagnostics) {
+  for (AttributeDesc& a : desc.attributes) {
+    if (!a.data || ids.find(a.name) == AttributeIds::k_none) continue;
+    const AttributeDomain domain = a.domain == "POINT"  ? AttributeDomain::vertex
+                                   : a.domain == "FACE" ? AttributeDomain::face
+                                                        : AttributeDomain::corner;
+    if (a.data->size() < element_count(desc, domain) * static_cast<size_t>(a.channels)) {
+      diagnostics.add({"WARNING", "Attribute '" + a.name + "' has too few values and is left out.",
+                       desc.name, "", "", ""});
+      continue;
+    }
+    mesh.attributes.push_back({a.name, domain, static_cast<uint8_t>(a.channels),
+                               a.data.use_count() == 1 ? std::move(*a.data) : *a.data});
+  }
+}
+
+void index_attributes(Mesh& mesh, const AttributeIds& ids) {
+  mesh.slot_of_attribute.assign(static_cast<size_t>(ids.count()), -1);
+  for (size_t i = 0; i < mesh.attributes.size(); ++i) {
+    const int id = ids.find(mesh.attributes[i].name);
+    if (id != AttributeIds::k_none)
+      mesh.slot_of_attribute[static_cast<size_t>(id)] = static_cast<int16_t>(i);
+  }
+}
+
+void make_tangents(Mesh& mesh, const std::set<std::string>& uv_names) {
+  for (const std::string& uv_name : uv_names) {
+    for (size_t i = 0; i < mesh.attributes.size(); ++i) {
+      if (mesh.attributes[i].name != uv_name || mesh.attributes[i].channels != 2) continue;
+      const Attribute uv = mesh.attributes[i];  // a copy: the list grows under it
+      add_tangents(mesh, uv, uv_name + ".tangent");
+      break;
+    }
+  }
+}
+
+// A mesh that only one instance uses joins the top level of the acceleration structure.
+void flatten(Mesh& mesh, const Transform& to_world, const Transform& to_object) {
+  for (Vec3& p : mesh.positions) p = to_world.point(p);
+  const auto turn = [&](Vec3& n) { n = normalize_or(to_object.transposed_vector(n), n); };
+  for (Vec3& n : mesh.vertex_normals) turn(n);
+  for (Vec3& n : mesh.corner_normals) turn(n);
+  mesh.is_world_space = true;
+  mesh.flips_winding = to_world.determinant() < 0.0f;
+}
+
+LookingGlass looking_glass_from(const LookingGlassDesc& desc) {
+  LookingGlass glass;
+  glass.dream = static_cast<WorldIndex>(std::clamp(desc.dream, 0, k_world_count - 1));
+  glass.entry = desc.entry == "TRANSMISSION" ? MirrorEntry::transmission
+                : desc.entry == "BOTH"       ? MirrorEntry::both
+                                             : MirrorEntry::reflection;
+  glass.reentry = desc.reentry == "TOGGLE" ? MirrorReentry::toggle : MirrorReentry::stay;
+  glass.first_seen_only = desc.first_seen_only;
+  return glass;
+}
+
+std::vector<uint32_t> material_list(const std::vector<int>& indices, size_t count) {
+  const auto fallback = static_cast<uint32_t>(count - 1);
+  std::vector<uint32_t> list;
+  for (const int i : indices)
+    list.push_back(i >= 0 && static_cast<size_t>(i) < count ? static_cast<uint32_t>(i) : fallback);
+  if (list.empty()) list.push_back(fallback);
+  return list;
+}
+
+Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t material_count,
+                       const AttributeIds& ids) {
+  Instance instance;
+  instance.name = desc.name;
+  instance.mesh = static_cast<uint32_t>(desc.mesh);
+  instance.object_to_world = Transform::from_rows(desc.object_to_world);
+  instance.world_to_object = instance.object_to_world.inverse();
+  instance.visibility = Visibility::from_sets(desc.visibility.worlds, desc.visibility.ray_kinds);
+  instance.looking_glass = looking_glass_from(desc.looking_glass);
+  instance.materials = material_list(desc.materials, material_count);
+  instance.behind_materials = desc.behind_materials.empty()
+                                  ? instance.materials
+                                  : material_list(desc.behind_materials, material_count);
+  instance.color = {desc.color[0], desc.color[1], desc.color[2]};
+  instance.alpha = desc.color[3];
+  instance.pass_index = desc.pass_index;
+  instance.random = desc.random;
+  instance.is_holdout = desc.is_holdout;
+  instance.generated = {desc.generated[0], desc.generated[1], desc.generated[2]};
+  instance.instancer_uv = {desc.instancer_uv[0], desc.instancer_uv[1]};
+  const auto& location = mesh.texture_space_location;
+  const auto& size = mesh.texture_space_size;
+  instance.texture_space_location = {location[0], location[1], location[2]};
+  instance.texture_space_size = {size[0], size[1], size[2]};
+  for (const auto& [name, value] : desc.attributes)
+    if (const int id = ids.find(name); id != AttributeIds::k_none)
+      instance.object_attributes.emplace_back(id, value);
+  return instance;
+}
+
+bool can_place(const InstanceDesc& desc, size_t mesh_count, Diagnostics& diagnostics) {
+  if (desc.mesh < 0 || static_cast<size_t>(desc.mesh) >= mesh_count) return false;
+  if (is_finite(Transform::from_rows(desc.object_to_world))) return true;
+  diagnostics.add({"WARNING", "The object's position, rotation or scale is not a number: it is left out.",
+                   desc.name, "", "", ""});
+  return false;
+}
+
+}  // namespace
+
+void SceneCompiler::compile_geometry() {
+  auto& meshes = description.meshes;
+  auto& instances = description.instances;
+  std::erase_if(instances, [&](const InstanceDesc& i) {
+    return !can_place(i, meshes.size(), diagnostics);
+  });
+  std::vector<int> users(meshes.size(), 0);
+  std::vector<size_t> only_user(meshes.size(), 0);
+  std::vector<std::set<std::string>> tangents(meshes.size());
+  for (size_t i = 0; i < instances.size(); ++i) {
+    const InstanceDesc& desc = instances[i];
+    const auto mesh = static_cast<size_t>(desc.mesh);
+    ++users[mesh];
+    only_user[mesh] = i;
+    scene.instances.push_back(
+        instance_from(desc, meshes[mesh], scene.materials.size(), attributes));
+    for (const auto* list : {&desc.materials, &desc.behind_materials})
+      for (const int m : *list)
+        if (m >= 0 && static_cast<size_t>(m) < tangents_of_material.size())
+          tangents[mesh].insert(tangents_of_material[static_cast<size_t>(m)].begin(),
+                                tangents_of_material[static_cast<size_t>(m)].end());
+  }
+
+  scene.meshes.resize(meshes.size());
+  tbb::parallel_for(size_t{0}, meshes.size(), [&](size_t i) {
+    if (is_cancelled() || users[i] == 0) return;
+    Mesh& mesh = scene.meshes[i];
+    mesh = mesh_from(meshes[i]);
+    add_attributes(mesh, meshes[i], attributes, diagnostics);
+    make_tangents(mesh, tangents[i]);
+    index_attributes(mesh, attributes);
+    if (mesh.dropped_faces > 0)
+      diagnostics.add({"WARNING", std::to_string(mesh.dropped_faces) +
+                                      " faces are broken (not finite, or without vertices) and left out.",
+                       meshes[i].name, "", "", ""});
+    meshes[i] = MeshDesc();
+    const Instance& user = scene.instances[only_user[i]];
+    if (users[i] == 1 && user.object_to_world.determinant() != 0.0f)
+      flatten(mesh, user.object_to_world, user.world_to_object);
+  });
+  if (is_cancelled()) return;
+
+  for (const Instance& instance : scene.instances) {
+    if (instance.looking_glass.dream > 0) scene.has_looking_glasses = true;
+    for (const auto* list : {&instance.materials, &instance.behind_materials})
+      for (const uint32_t m : *list)
+        if (scene.materials[m].is_transparent && scene.materials[m].use_transparent_shadow)
+          scene.has_transparent_shadows = true;
+  }
+  static const std::atomic<bool> never{false};
+  scene.accel = Accel::build(scene.meshes, scene.instances,
+                             control.cancelled ? *control.cancelled : never,
+                             description.settings.threads);
+}
+
+}  // namespace tenniel
