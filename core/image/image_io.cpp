@@ -239,4 +239,10 @@ std::string write_image(const std::string& path, const float* rgba, int width, i
   return "Cannot write '" + path + "': " + reason + ".";
 }
 
+std::string oiio_version() {
+  const int version = OIIO::openimageio_version();  // major * 10000 + minor * 100 + patch
+  return std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." +
+         std::to_string(version % 100);
+}
+
 }  // namespace tenniel

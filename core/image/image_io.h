@@ -36,4 +36,7 @@ bool colorspace_is_supported(const std::string& name);
 // only when complete. Returns an error sentence or an empty string.
 std::string write_image(const std::string& path, const float* rgba, int width, int height);
 
+// Version of the OpenImageIO library in use, e.g. "2.4.7".
+std::string oiio_version();
+
 }  // namespace tenniel
