@@ -18,6 +18,8 @@ class Accel {
  public:
   // Multi-user meshes become true instances, world-space meshes join the top level. `cancelled` is
   // polled during the build; an empty Accel comes back when it was set. `threads` 0 = all.
+  // Embree reads the meshes' own arrays: they must outlive the Accel (moving a Mesh is fine).
+  // Instances that are singular or not finite, or whose mesh has no faces, are never hit.
   // Throws std::runtime_error with Embree's own words when the device or the build fails.
   static std::shared_ptr<const Accel> build(std::span<const Mesh> meshes,
                                             std::span<const Instance> instances,
@@ -30,9 +32,9 @@ class Accel {
   // Closest hit with one instance only, whatever its mask.
   std::optional<Hit> intersect_instance(const Ray& ray, uint32_t instance) const;
 
-  Bounds3 bounds() const;            // world space, of all instances
-  size_t memory_bytes() const;       // what Embree holds
-  uint64_t rejected_rays() const;    // not finite
+  Bounds3 bounds() const;          // world space, of all instances
+  size_t memory_bytes() const;     // what Embree holds
+  uint64_t rejected_rays() const;  // not finite
   static std::string embree_version();
 
  private:

@@ -38,11 +38,11 @@ struct Instance {
   float pass_index = 0.0f;
   float random = 0.0f;  // [0, 1] of Object Info
   bool is_holdout = false;
-  Vec3 generated;                   // instancer's generated coordinate and UV, for `from_instancer`
+  Vec3 generated;  // instancer's generated coordinate and UV, for `from_instancer`
   Vec2 instancer_uv;
-  Vec3 texture_space_location;      // Generated = (p - location) / (2 size) + 0.5, object space
+  Vec3 texture_space_location;  // Generated = (p - location) / (2 size) + 0.5, object space
   Vec3 texture_space_size{1.0f, 1.0f, 1.0f};
-  int light = -1;                   // index of its mesh light; -1 = none is sampled
+  int light = -1;  // index of its mesh light; -1 = none is sampled
   // Values of `Attribute` nodes of type Object / Instancer / View Layer: 4 floats per id.
   std::vector<std::pair<int, std::array<float, 4>>> object_attributes;
 

@@ -54,9 +54,11 @@ Vec3 interpolated_object_normal(const SurfaceInteraction& at);
 // Object-space normal to world space, unit.
 Vec3 normal_to_world(const Instance& instance, Vec3 normal);
 
-// Start of a ray that leaves `position` toward `direction`, moved off the surface by the error bound
-// of the intersection (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
+// Start of a ray that leaves `position` toward `direction`, moved off the surface by the error
+// bound of the intersection (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
 // Self-Intersection").
 Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction);
+// The same from a surface; a true instance far from its own origin rounds by its translation too.
+Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction);
 
 }  // namespace tenniel

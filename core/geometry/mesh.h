@@ -8,6 +8,7 @@
 
 #include "geometry/attributes.h"
 #include "math/bounds.h"
+#include "math/transform.h"
 #include "math/vec.h"
 
 namespace tenniel {
@@ -53,10 +54,10 @@ struct Mesh {
   bool flips_winding = false;              // world space by a mirroring transform
   uint32_t dropped_faces = 0;              // non-finite or with an index out of range
 
-  size_t face_count() const {
-    return face_vertices.size() / static_cast<size_t>(corners_per_face);
+  size_t face_count() const { return face_vertices.size() / static_cast<size_t>(corners_per_face); }
+  int material_slot(uint32_t face) const {
+    return face_materials.empty() ? 0 : face_materials[face];
   }
-  int material_slot(uint32_t face) const { return face_materials.empty() ? 0 : face_materials[face]; }
   bool is_smooth(uint32_t face) const {
     return face_smooth.empty() ? all_smooth : face_smooth[face] != 0;
   }
@@ -66,23 +67,35 @@ struct Mesh {
     const int slot = slot_of_attribute[static_cast<size_t>(id)];
     return slot < 0 ? nullptr : &attributes[static_cast<size_t>(slot)];
   }
-  Bounds3 bounds() const;
+  Bounds3 bounds() const;  // of the vertices that faces use
 };
 
 // Checks every index, drops faces that are non-finite or out of range (counted), turns quads to
 // Blender's diagonal. Throws nothing but bad_alloc.
 Mesh build_mesh(const PolygonSoup& soup);
 
+// Carries positions and normals to world space for the one instance that uses the mesh. Attributes
+// stay as they are, so tangents are to be added before.
+void move_to_world_space(Mesh& mesh, const Transform& object_to_world);
+
 // One of the (up to two) triangles of a face: which vertices and corners carry the weights.
 struct FaceTriangle {
   std::array<uint32_t, 3> vertices;
   std::array<uint32_t, 3> corners;
 };
-// `second`: the half (2,3,1) of a quad.
-FaceTriangle face_triangle(const Mesh& mesh, uint32_t face, bool second);
+// `second`: the half (2,3,1) of a quad; of a triangle in a quad mesh it is empty (zero area).
+inline FaceTriangle face_triangle(const Mesh& mesh, uint32_t face, bool second) {
+  const auto stride = static_cast<size_t>(mesh.corners_per_face);
+  const uint32_t* v = &mesh.face_vertices[face * stride];
+  const uint32_t* c = &mesh.face_corners[face * stride];
+  if (second) return {{v[2], v[3], v[1]}, {c[2], c[3], c[1]}};
+  const size_t last = stride - 1;
+  return {{v[0], v[1], v[last]}, {c[0], c[1], c[last]}};
+}
 
-// Adds attributes `name` (3 floats a corner: unit tangent along +u) and `name + ".sign"` (1 float:
-// the sign of the bitangent) after MikkTSpace (Mikkelsen 2008) from the UV attribute `uv`.
+// Adds attributes `name` (3 floats a corner: unit tangent along +u, 0 where there is none) and
+// `name + ".sign"` (1 float: the sign of the bitangent) after MikkTSpace (Mikkelsen 2008) from the
+// UV attribute `uv`.
 void add_tangents(Mesh& mesh, const Attribute& uv, const std::string& name);
 
 }  // namespace tenniel

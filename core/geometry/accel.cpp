@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/accel.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace tenniel {
+
+namespace {
+
+// Embree's own bound of coordinates is 1.844e18; Debian's build asserts it for rays.
+constexpr float k_largest = 1e18f;
+
+// No ray kind of any world has this bit: every geometry does, for queries of one instance.
+constexpr uint32_t k_any_kind = 1u << 31;
+
+struct Release {
+  void operator()(RTCDevice p) const { rtcReleaseDevice(p); }
+  void operator()(RTCScene p) const { rtcReleaseScene(p); }
+  void operator()(RTCGeometry p) const { rtcReleaseGeometry(p); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Release>;
+using RtcScene = std::unique_ptr<RTCSceneTy, Release>;
+using Geometry = std::unique_ptr<RTCGeometryTy, Release>;
+
+bool is_usable(const Ray& ray) {
+  const Vec3 o = ray.origin, d = ray.direction;
+  // One sum: anything NaN or infinite makes it fail.
+  const float sum = std::abs(o.x) + std::abs(o.y) + std::abs(o.z) + std::abs(d.x) + std::abs(d.y) +
+                    std::abs(d.z) + std::abs(ray.t_min);
+  return sum < k_largest && ray.t_max == ray.t_max;
+}
+
+bool is_usable(const Instance& instance) {
+  const float determinant = instance.object_to_world.determinant();
+  return is_finite(instance.object_to_world) && is_finite(instance.world_to_object) &&
+         std::abs(determinant) > std::numeric_limits<float>::min();
+}
+
+RTCRay to_embree(const Ray& ray, uint32_t mask) {
+  RTCRay r;
+  r.org_x = ray.origin.x;
+  r.org_y = ray.origin.y;
+  r.org_z = ray.origin.z;
+  r.tnear = ray.t_min;
+  r.dir_x = ray.direction.x;
+  r.dir_y = ray.direction.y;
+  r.dir_z = ray.direction.z;
+  r.time = 0.0f;
+  r.tfar = ray.t_max;
+  r.mask = mask;
+  r.id = 0;
+  r.flags = 0;
+  return r;
+}
+
+struct OneInstanceContext {
+  RTCIntersectContext embree;  // first: the filter casts back
+  uint32_t instance;
+};
+
+void keep_one_instance(const RTCFilterFunctionNArguments* args) {
+  // NOLINTNEXTLINE: Embree hands the context back by its first member.
+  const auto* context = reinterpret_cast<const OneInstanceContext*>(args->context);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  if (hit->geomID != context->instance) args->valid[0] = 0;
+}
+
+}  // namespace
+
+// Every instance is attached under its own index: as a geometry of the top level (world-space mesh)
+// or as an instance of its mesh's scene.
+struct Accel::State {
+  std::atomic<size_t> memory{0};
+  mutable std::atomic<uint64_t> rejected{0};
+  std::string error;  // Embree's first complaint
+  const std::atomic<bool>* cancelled = nullptr;
+  Device device;
+  RtcScene top;
+  std::vector<RtcScene> mesh_scenes;       // per mesh; null: world-space, empty or unused
+  std::vector<RTCScene> instance_scenes;   // per instance; null: in the top level or skipped
+  std::vector<Transform> world_to_object;  // per instance
+  std::vector<uint8_t> is_attached;        // per instance
+
+  void open_device(int threads);
+  RtcScene new_scene() const;
+  Geometry new_mesh_geometry(const Mesh& mesh) const;
+  RTCScene mesh_scene(const Mesh& mesh, uint32_t index);
+  void attach(const Instance& instance, uint32_t index, const Mesh& mesh);
+  bool commit(RTCScene scene);  // false: cancelled
+  void check() const {
+    if (!error.empty()) throw std::runtime_error("Embree: " + error);
+  }
+};
+
+void Accel::State::open_device(int threads) {
+  std::string config = "verbose=0";
+  if (threads > 0) config += ",threads=" + std::to_string(threads);
+  device.reset(rtcNewDevice(config.c_str()));
+  if (!device) throw std::runtime_error("Embree: no device (" + config + ")");
+  if (rtcGetDeviceProperty(device.get(), RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) == 0)
+    throw std::runtime_error("Embree: built without ray masks");
+  rtcSetDeviceErrorFunction(
+      device.get(),
+      [](void* self, RTCError code, const char* text) {
+        auto& state = *static_cast<State*>(self);
+        if (code == RTC_ERROR_CANCELLED || !state.error.empty()) return;
+        state.error = text != nullptr && *text != 0 ? text : "error " + std::to_string(code);
+      },
+      this);
+  rtcSetDeviceMemoryMonitorFunction(
+      device.get(),
+      [](void* self, ssize_t bytes, bool) {
+        static_cast<State*>(self)->memory.fetch_add(static_cast<size_t>(bytes),
+                                                    std::memory_order_relaxed);
+        return true;
+      },
+      this);
+}
+
+RtcScene Accel::State::new_scene() const {
+  RtcScene scene(rtcNewScene(device.get()));
+  check();
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
+  return scene;
+}
+
+Geometry Accel::State::new_mesh_geometry(const Mesh& mesh) const {
+  const bool quads = mesh.corners_per_face == 4;
+  Geometry geometry(
+      rtcNewGeometry(device.get(), quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE));
+  check();
+  RTCGeometry g = geometry.get();
+  const auto& positions = mesh.positions;
+  if (positions.capacity() > positions.size()) {
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
+                               sizeof(Vec3), positions.size());
+  } else {
+    // Embree loads 16 bytes a vertex; without room behind the last one it takes a copy.
+    void* copy = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                         sizeof(Vec3), positions.size());
+    check();
+    std::copy(positions.begin(), positions.end(), static_cast<Vec3*>(copy));
+  }
+  rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
+                             quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3, mesh.face_vertices.data(),
+                             0, sizeof(uint32_t) * (quads ? 4 : 3), mesh.face_count());
+  rtcSetGeometryMask(g, ~0u);
+  return geometry;
+}
+
+RTCScene Accel::State::mesh_scene(const Mesh& mesh, uint32_t index) {
+  if (!mesh_scenes[index]) {
+    RtcScene scene = new_scene();
+    const Geometry geometry = new_mesh_geometry(mesh);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene.get(), geometry.get());
+    if (!commit(scene.get())) return nullptr;
+    mesh_scenes[index] = std::move(scene);
+  }
+  return mesh_scenes[index].get();
+}
+
+void Accel::State::attach(const Instance& instance, uint32_t index, const Mesh& mesh) {
+  if (mesh.face_count() == 0 || !is_usable(instance)) return;
+  Geometry geometry;
+  if (mesh.is_world_space) {
+    geometry = new_mesh_geometry(mesh);
+  } else {
+    const RTCScene inner = mesh_scene(mesh, instance.mesh);
+    if (inner == nullptr) return;
+    geometry.reset(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    check();
+    rtcSetGeometryInstancedScene(geometry.get(), inner);
+    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            &instance.object_to_world);
+    instance_scenes[index] = inner;
+    world_to_object[index] = instance.world_to_object;
+  }
+  rtcSetGeometryMask(geometry.get(), instance.visibility.bits | k_any_kind);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(top.get(), geometry.get(), index);
+  is_attached[index] = 1;
+  check();
+}
+
+bool Accel::State::commit(RTCScene scene) {
+  rtcSetSceneProgressMonitorFunction(
+      scene,
+      [](void* flag, double) { return !static_cast<const std::atomic<bool>*>(flag)->load(); },
+      const_cast<std::atomic<bool>*>(cancelled));
+  rtcCommitScene(scene);
+  rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);  // the flag need not live on
+  if (cancelled->load()) return false;
+  check();
+  return true;
+}
+
+static_assert(sizeof(Transform) == 12 * sizeof(float), "Embree reads it as 3x4, column by column");
+
+Accel::Accel() : state_(std::make_unique<State>()) {}
+Accel::~Accel() = default;
+
+std::shared_ptr<const Accel> Accel::build(std::span<const Mesh> meshes,
+                                          std::span<const Instance> instances,
+                                          const std::atomic<bool>& cancelled, int threads) {
+  std::shared_ptr<Accel> accel(new Accel);
+  State& state = *accel->state_;
+  state.cancelled = &cancelled;
+  state.open_device(threads);
+  state.mesh_scenes.resize(meshes.size());
+  state.instance_scenes.resize(instances.size());
+  state.world_to_object.resize(instances.size());
+  state.is_attached.resize(instances.size());
+  state.top = state.new_scene();
+  for (uint32_t i = 0; i < instances.size() && !cancelled.load(); ++i)
+    if (instances[i].mesh < meshes.size()) state.attach(instances[i], i, meshes[instances[i].mesh]);
+  const bool is_complete = !cancelled.load() && state.commit(state.top.get());
+  state.cancelled = nullptr;
+  if (!is_complete) return std::shared_ptr<const Accel>(new Accel);
+  return accel;
+}
+
+std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask) const {
+  if (!state_->top) return {};
+  if (!is_usable(ray)) {
+    state_->rejected.fetch_add(1, std::memory_order_relaxed);
+    return {};
+  }
+  RTCRayHit query;
+  query.ray = to_embree(ray, mask);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(state_->top.get(), &context, &query);
+  const RTCHit& hit = query.hit;
+  if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  const bool is_instanced = hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  return Hit{query.ray.tfar, hit.u, hit.v, hit.primID, is_instanced ? hit.instID[0] : hit.geomID};
+}
+
+bool Accel::occluded(const Ray& ray, uint32_t mask) const {
+  if (!state_->top) return false;
+  if (!is_usable(ray)) {
+    state_->rejected.fetch_add(1, std::memory_order_relaxed);
+    return false;
+  }
+  RTCRay query = to_embree(ray, mask);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(state_->top.get(), &context, &query);
+  return query.tfar < 0.0f;
+}
+
+std::optional<Hit> Accel::intersect_instance(const Ray& ray, uint32_t instance) const {
+  if (!state_->top || instance >= state_->is_attached.size() || !state_->is_attached[instance])
+    return {};
+  Ray local = ray;
+  const RTCScene inner = state_->instance_scenes[instance];
+  if (inner != nullptr) {
+    // Not normalised again: `t` stays in metres of the world.
+    const Transform& to_object = state_->world_to_object[instance];
+    local.origin = to_object.point(ray.origin);
+    local.direction = to_object.vector(ray.direction);
+  }
+  if (!is_usable(local)) {
+    state_->rejected.fetch_add(1, std::memory_order_relaxed);
+    return {};
+  }
+  RTCRayHit query;
+  query.ray = to_embree(local, k_any_kind);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  OneInstanceContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.instance = instance;
+  if (inner == nullptr) context.embree.filter = keep_one_instance;
+  rtcIntersect1(inner != nullptr ? inner : state_->top.get(), &context.embree, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return Hit{query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID, instance};
+}
+
+Bounds3 Accel::bounds() const {
+  Bounds3 box;
+  if (!state_->top) return box;
+  RTCBounds b;
+  rtcGetSceneBounds(state_->top.get(), &b);
+  if (!(b.lower_x <= b.upper_x)) return box;
+  box.min = {b.lower_x, b.lower_y, b.lower_z};
+  box.max = {b.upper_x, b.upper_y, b.upper_z};
+  return box;
+}
+
+size_t Accel::memory_bytes() const {
+  return state_->memory.load(std::memory_order_relaxed);
+}
+uint64_t Accel::rejected_rays() const {
+  return state_->rejected.load(std::memory_order_relaxed);
+}
+
+std::string Accel::embree_version() {
+  const Device device(rtcNewDevice("verbose=0"));
+  if (!device) return "none";
+  const auto part = [&device](RTCDeviceProperty p) {
+    return std::to_string(rtcGetDeviceProperty(device.get(), p));
+  };
+  return part(RTC_DEVICE_PROPERTY_VERSION_MAJOR) + "." + part(RTC_DEVICE_PROPERTY_VERSION_MINOR) +
+         "." + part(RTC_DEVICE_PROPERTY_VERSION_PATCH);
+}
+
+}  // namespace tenniel

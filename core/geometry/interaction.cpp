@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/interaction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/numeric.h"
+
+namespace tenniel {
+
+namespace {
+
+constexpr float k_unit_roundoff_steps = 256.0f * 0x1p-23f;  // of Waechter & Binder's integer scale
+
+// Which half of a quad (u, v) lies in. A triangle among quads has no second half.
+bool in_second_half(const Mesh& mesh, const Hit& hit) {
+  if (mesh.corners_per_face == 3 || hit.u + hit.v <= 1.0f) return false;
+  const uint32_t* v = &mesh.face_vertices[hit.face * size_t{4}];
+  return v[2] != v[3];
+}
+
+// Per-corner normals of the triangle, in the mesh's space; null where the face is flat.
+struct CornerNormals {
+  const Vec3 *a = nullptr, *b = nullptr, *c = nullptr;
+};
+CornerNormals smooth_normals(const SurfaceInteraction& at) {
+  const Mesh& mesh = *at.mesh;
+  if (!mesh.is_smooth(at.face)) return {};
+  const bool by_corner = !mesh.corner_normals.empty();
+  const auto& normals = by_corner ? mesh.corner_normals : mesh.vertex_normals;
+  if (normals.empty()) return {};
+  const auto& ids = by_corner ? at.triangle.corners : at.triangle.vertices;
+  return {&normals[ids[0]], &normals[ids[1]], &normals[ids[2]]};
+}
+
+Vec3 weighted(const std::array<float, 3>& w, Vec3 a, Vec3 b, Vec3 c) {
+  return a * w[0] + b * w[1] + c * w[2];
+}
+
+// Corners, position and the geometric normal on the side that the object's own front is on.
+Vec3 place_on_triangle(SurfaceInteraction& at) {
+  const Mesh& mesh = *at.mesh;
+  const auto& v = at.triangle.vertices;
+  const Vec3 p0 = mesh.positions[v[0]];
+  Vec3 edge_1 = mesh.positions[v[1]] - p0, edge_2 = mesh.positions[v[2]] - p0;
+  // From one corner along the edges: the rounding is that of the edges, not of three large points.
+  const Vec3 inside = edge_1 * at.weights[1] + edge_2 * at.weights[2];
+  bool flips = mesh.flips_winding;
+  if (mesh.is_world_space) {
+    at.position = p0 + inside;
+    at.corner_points[0] = p0;
+  } else {
+    const Transform& m = at.instance->object_to_world;
+    at.position = m.point(p0 + inside);
+    at.corner_points[0] = m.point(p0);
+    edge_1 = m.vector(edge_1);
+    edge_2 = m.vector(edge_2);
+    flips = m.determinant() < 0.0f;
+  }
+  at.corner_points[1] = at.corner_points[0] + edge_1;
+  at.corner_points[2] = at.corner_points[0] + edge_2;
+  const Vec3 normal = cross(edge_1, edge_2);
+  return flips ? -normal : normal;
+}
+
+}  // namespace
+
+SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instance& instance,
+                                    const Mesh& mesh, float footprint) {
+  SurfaceInteraction at;
+  at.wo = -ray.direction;
+  at.t = hit.t;
+  at.footprint = footprint;
+  at.instance = &instance;
+  at.mesh = &mesh;
+  at.face = hit.face;
+  const bool second = in_second_half(mesh, hit);
+  at.triangle = face_triangle(mesh, hit.face, second);
+  at.u = second ? 1.0f - hit.u : hit.u;
+  at.v = second ? 1.0f - hit.v : hit.v;
+  at.weights = {1.0f - at.u - at.v, at.u, at.v};
+
+  // A sliver whose cross product vanishes still needs some unit normal: that of the ray.
+  const Vec3 front = normalize_or(place_on_triangle(at), at.wo);
+  at.is_back_facing = dot(front, at.wo) < 0.0f;
+  at.geometric_normal = at.is_back_facing ? -front : front;
+  at.shading_normal = at.geometric_normal;
+  const CornerNormals normals = smooth_normals(at);
+  if (normals.a != nullptr) {
+    Vec3 n = weighted(at.weights, *normals.a, *normals.b, *normals.c);
+    if (!mesh.is_world_space) n = instance.world_to_object.transposed_vector(n);
+    n = normalize_or(n, front);
+    at.shading_normal = at.is_back_facing ? -n : n;
+  }
+  return at;
+}
+
+std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceInteraction& at) {
+  std::array<float, 4> result{0.0f, 0.0f, 0.0f, 1.0f};
+  const size_t channels = attribute.channels;
+  if (attribute.domain == AttributeDomain::face) {
+    const auto& polygons = at.mesh->face_polygons;
+    const size_t polygon = polygons.empty() ? at.face : polygons[at.face];
+    std::copy_n(&attribute.data[polygon * channels], channels, result.begin());
+    return result;
+  }
+  const auto& ids =
+      attribute.domain == AttributeDomain::vertex ? at.triangle.vertices : at.triangle.corners;
+  const float* a = &attribute.data[ids[0] * channels];
+  const float* b = &attribute.data[ids[1] * channels];
+  const float* c = &attribute.data[ids[2] * channels];
+  for (size_t i = 0; i < channels; ++i)
+    result[i] = a[i] * at.weights[0] + b[i] * at.weights[1] + c[i] * at.weights[2];
+  return result;
+}
+
+SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset) {
+  SurfaceInteraction moved = at;
+  moved.position += offset;
+  const Vec3 edge_1 = at.corner_points[1] - at.corner_points[0];
+  const Vec3 edge_2 = at.corner_points[2] - at.corner_points[0];
+  const Vec3 normal = cross(edge_1, edge_2);
+  const float scale = 1.0f / length_squared(normal);
+  const float du = dot(cross(offset, edge_2), normal) * scale;
+  const float dv = dot(cross(edge_1, offset), normal) * scale;
+  if (!std::isfinite(du) || !std::isfinite(dv)) return moved;
+  moved.u += du;
+  moved.v += dv;
+  moved.weights = {1.0f - moved.u - moved.v, moved.u, moved.v};
+  return moved;
+}
+
+Vec3 interpolated_object_normal(const SurfaceInteraction& at) {
+  const Instance& instance = *at.instance;
+  // World to object: the transposed map undoes the inverse transposed one.
+  const auto to_object = [&instance](Vec3 n) {
+    return normalize_or(instance.object_to_world.transposed_vector(n), {});
+  };
+  const CornerNormals normals = smooth_normals(at);
+  if (normals.a == nullptr)
+    return to_object(at.is_back_facing ? -at.geometric_normal : at.geometric_normal);
+  if (!at.mesh->is_world_space) return weighted(at.weights, *normals.a, *normals.b, *normals.c);
+  return weighted(at.weights, to_object(*normals.a), to_object(*normals.b), to_object(*normals.c));
+}
+
+Vec3 normal_to_world(const Instance& instance, Vec3 normal) {
+  return normalize_or(instance.world_to_object.transposed_vector(normal), {0.0f, 0.0f, 1.0f});
+}
+
+Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
+  constexpr float k_near_origin = 1.0f / 32.0f;
+  constexpr float k_float_scale = 1.0f / 65536.0f;
+  constexpr float k_int_scale = 256.0f;
+  const Vec3 n = face_forward(geometric_normal, direction);
+  const auto moved = [](float p, float along) {
+    const auto steps = static_cast<int32_t>(k_int_scale * along);
+    const auto bits = static_cast<int32_t>(float_bits(p)) + (p < 0.0f ? -steps : steps);
+    return std::abs(p) < k_near_origin ? p + k_float_scale * along
+                                       : bits_float(static_cast<uint32_t>(bits));
+  };
+  return {moved(position.x, n.x), moved(position.y, n.y), moved(position.z, n.z)};
+}
+
+Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction) {
+  Vec3 origin = offset_ray_origin(at.position, at.geometric_normal, direction);
+  if (at.mesh->is_world_space) return origin;
+  const Vec3 t = at.instance->object_to_world.translation;
+  const float size = std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});
+  return origin + face_forward(at.geometric_normal, direction) * (size * k_unit_roundoff_steps);
+}
+
+}  // namespace tenniel
