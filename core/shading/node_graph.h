@@ -13,8 +13,8 @@ using SettingValue = std::variant<bool, int, float, std::string, std::vector<flo
 
 // One node as the exporter found it; groups, reroutes and muted nodes are already resolved.
 struct GraphNode {
-  std::string type;  // bl_idname, e.g. "ShaderNodeMath"
-  std::string name;  // for reports
+  std::string type;                                  // bl_idname, e.g. "ShaderNodeMath"
+  std::string name;                                  // for reports
   std::map<std::string, std::vector<float>> inputs;  // socket identifier -> 1, 3 or 4 floats
   // RNA name -> value: enums as their identifier, ramps and curves as tables, images as the index
   // into SceneDescription::images, attribute names as text.

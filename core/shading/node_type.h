@@ -94,6 +94,8 @@ struct NodeType {
   std::vector<InputInfo> inputs;
   std::vector<OutputInfo> outputs;
   std::vector<SettingInfo> settings;
+  // A sentence on what this node, as it is set, does not get; null: nothing to say.
+  const char* (*note)(const void* node) = nullptr;
   InputInfo closure_weight;  // of a closure: its Input<float> weight, set by the compiler
   bool is_pure = true;       // depends on its inputs alone: may be folded
 
@@ -110,7 +112,7 @@ struct NodeType {
 // A node struct has `void eval(ShadingContext&) const`; a closure node also `Input<float> weight`
 // and `uint8_t closure_parts() const`. Nodes that only direct closures (Mix Shader, outputs) have
 // no eval: the compiler takes them apart. A closure node's eval adds only the parts that
-// ShadingContext::query asks for, each scaled by `weight`.
+// ShadingContext::query asks for, each scaled by `weight`. `const char* note() const` is optional.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -231,6 +233,8 @@ class NodeRegistry {
         static_cast<const Node*>(node)->eval(context);
       };
     }
+    if constexpr (requires(const Node& node) { node.note(); })
+      type.note = [](const void* node) { return static_cast<const Node*>(node)->note(); };
     by_name_.emplace(idname, &type);
     type.idname = std::move(idname);
     return NodeTypeBuilder<Node>(type);

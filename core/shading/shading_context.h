@@ -67,8 +67,10 @@ class ShadingContext {
   T get(const Input<T>& input) const {
     if (!input.linked()) return input.value;
     const float* r = registers_.data() + input.source;
-    if constexpr (std::is_same_v<T, float>) return *r;
-    else return T{r[0], r[1], r[2]};
+    if constexpr (std::is_same_v<T, float>)
+      return *r;
+    else
+      return T{r[0], r[1], r[2]};
   }
   template <class T>
   void set(const Output<T>& output, T value) {
@@ -86,12 +88,12 @@ class ShadingContext {
   Vec3 normal(const Input<Vec3>& input) const {
     return input.linked() ? normalize_or(get(input), closure_normal) : closure_normal;
   }
-  float read_register(RegisterIndex index) const {
-    return registers_[static_cast<size_t>(index)];
-  }
+  float read_register(RegisterIndex index) const { return registers_[static_cast<size_t>(index)]; }
 
   // Clears the results and turns `surface` into the start of an evaluation.
   void begin(uint8_t wanted_query);
+  // Makes `normal` (unit) the shading normal of all that follows; before the first lobe only.
+  void bend_shading_normal(Vec3 normal);
 
  private:
   std::vector<float> registers_;

@@ -33,9 +33,12 @@ struct Output {
 template <class T>
 constexpr SocketType socket_type() {
   static_assert(std::is_same_v<T, float> || std::is_same_v<T, Vec3> || std::is_same_v<T, Spectrum>);
-  if constexpr (std::is_same_v<T, float>) return SocketType::number;
-  else if constexpr (std::is_same_v<T, Vec3>) return SocketType::vector;
-  else return SocketType::color;
+  if constexpr (std::is_same_v<T, float>)
+    return SocketType::number;
+  else if constexpr (std::is_same_v<T, Vec3>)
+    return SocketType::vector;
+  else
+    return SocketType::color;
 }
 
 constexpr int register_count(SocketType type) {

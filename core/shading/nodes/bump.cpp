@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/nodes/bump.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/shading_normal.h"
+#include "math/frame.h"
+#include "math/numeric.h"
+#include "shading/nodes/register.h"
+
+namespace tenniel {
+namespace {
+
+// Distance of the shifted points: what one pixel covers, and never so little that the heights of
+// neighbours cannot be told apart.
+float bump_step(const SurfaceInteraction& surface) {
+  const Vec3 p = surface.position;
+  const float extent = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1.0f});
+  return std::max(surface.footprint, 1e-4f * extent);
+}
+
+// Runs `program` at the point and at two points beside it; `read` takes the height from the
+// context.
+template <class Read>
+BumpSample sample_heights(ShadingContext& context, const Program& program, Read read) {
+  const SurfaceInteraction here = context.surface;
+  const Frame frame = Frame::from_normal(here.geometric_normal);
+  const float step = bump_step(here);
+  BumpSample sample;
+  sample.step_x = frame.x * step;
+  sample.step_y = frame.y * step;
+  const auto height_at = [&](const SurfaceInteraction& place) {
+    context.surface = place;
+    program.run(context);
+    return read(context);
+  };
+  sample.height_x = height_at(shifted(here, sample.step_x));
+  sample.height_y = height_at(shifted(here, sample.step_y));
+  sample.height = height_at(here);
+  return sample;
+}
+
+Vec3 raised(const SurfaceInteraction& surface, Vec3 normal) {
+  return ensure_valid_reflection(surface.geometric_normal, surface.wo, normal);
+}
+
+// A vector of object space that must turn as the normal does, back in object space.
+Vec3 object_normal(const SurfaceInteraction& surface, Vec3 normal) {
+  return normalize_or(surface.instance->object_to_world.transposed_vector(normal), normal);
+}
+
+}  // namespace
+
+Vec3 bump_normal(const BumpSample& sample, Vec3 normal, float scale, float strength) {
+  const Vec3 row_x = cross(sample.step_y, normal), row_y = cross(normal, sample.step_x);
+  const float det = dot(sample.step_x, row_x);
+  const Vec3 gradient =
+      (sample.height_x - sample.height) * row_x + (sample.height_y - sample.height) * row_y;
+  const Vec3 tilted =
+      normalize_or(std::abs(det) * normal - (det < 0.0f ? -scale : scale) * gradient, normal);
+  return normalize_or(strength * tilted + (1.0f - strength) * normal, normal);
+}
+
+void BumpNode::eval(ShadingContext& context) const {
+  const Vec3 base = context.normal(normal);
+  if (!height.program || !context.surface.mesh) return context.set(result, base);
+  const BumpSample sample = sample_heights(
+      context, *height.program, [this](ShadingContext& c) { return c.get(height.result); });
+  const float scale = context.get(distance) * (invert ? -1.0f : 1.0f);
+  const Vec3 bent = bump_normal(sample, base, scale, std::max(context.get(strength), 0.0f));
+  context.set(result, raised(context.surface, bent));
+}
+
+Vec3 NormalMapNode::mapped(const SurfaceInteraction& surface, Vec3 encoded) const {
+  if (space == NormalMapSpace::tangent) {
+    const Attribute* along_u = surface.mesh->attribute(tangent.id);
+    const Attribute* sign = surface.mesh->attribute(tangent_sign.id);
+    if (!along_u || !sign) return {};
+    const auto t = interpolate(*along_u, surface);
+    const Vec3 smooth = interpolated_object_normal(surface), x_axis{t[0], t[1], t[2]};
+    const Vec3 y_axis = cross(smooth, x_axis) * interpolate(*sign, surface)[0];
+    return normal_to_world(*surface.instance,
+                           encoded.x * x_axis + encoded.y * y_axis + encoded.z * smooth);
+  }
+  const bool is_blender =
+      space == NormalMapSpace::blender_object || space == NormalMapSpace::blender_world;
+  if (is_blender) encoded = {encoded.x, -encoded.y, -encoded.z};
+  const bool is_object = space == NormalMapSpace::object || space == NormalMapSpace::blender_object;
+  return is_object ? normal_to_world(*surface.instance, encoded) : encoded;
+}
+
+void NormalMapNode::eval(ShadingContext& context) const {
+  const SurfaceInteraction& surface = context.surface;
+  const Vec3 base = context.closure_normal;
+  if (!surface.mesh || !surface.instance) return context.set(result, base);
+  const Spectrum c = context.get(color);
+  const Vec3 encoded{2.0f * c.r - 1.0f, 2.0f * c.g - 1.0f, 2.0f * c.b - 1.0f};
+  const Vec3 front = mapped(surface, encoded);
+  Vec3 bent = normalize_or(surface.is_back_facing ? -front : front, base);
+  const float amount = std::max(context.get(strength), 0.0f);
+  if (amount != 1.0f) bent = normalize_or(base + (bent - base) * amount, base);
+  context.set(result, raised(surface, bent));
+}
+
+void DisplacementNode::eval(ShadingContext& context) const {
+  const float amount = (context.get(height) - context.get(midlevel)) * context.get(scale);
+  Vec3 along = context.normal(normal);
+  if (space == DisplacementSpace::object && context.surface.instance)
+    along = context.surface.instance->object_to_world.vector(object_normal(context.surface, along));
+  context.set(result, along * amount);
+}
+
+void VectorDisplacementNode::eval(ShadingContext& context) const {
+  const Spectrum c = context.get(vector);
+  const float middle = context.get(midlevel);
+  Vec3 move = Vec3{c.r - middle, c.g - middle, c.b - middle} * context.get(scale);
+  const Instance* instance = context.surface.instance;
+  // In tangent space y is the height. The other two move along the surface, where any frame does
+  // as long as displacement is bump.
+  if (space == DisplacementSpace::tangent && instance) {
+    const Frame frame = Frame::from_normal(object_normal(context.surface, context.closure_normal));
+    move = frame.x * move.x + frame.z * move.y + frame.y * move.z;
+  }
+  if (space != DisplacementSpace::world && instance) move = instance->object_to_world.vector(move);
+  context.set(result, move);
+}
+
+void DisplacementBumpNode::eval(ShadingContext& context) const {
+  if (!displacement.program || !context.surface.mesh) return;
+  const Vec3 normal = context.closure_normal;
+  const BumpSample sample = sample_heights(
+      context, *displacement.program,
+      [this, normal](ShadingContext& c) { return dot(c.get(displacement.result), normal); });
+  context.bend_shading_normal(raised(context.surface, bump_normal(sample, normal, 1.0f, 1.0f)));
+}
+
+void register_bump_nodes(NodeRegistry& registry) {
+  registry.add<BumpNode>("ShaderNodeBump")
+      .input("Strength", &BumpNode::strength)
+      .input("Distance", &BumpNode::distance)
+      .input("Height", &BumpNode::height)
+      .input("Normal", &BumpNode::normal)
+      .implicit(ImplicitInput::normal)
+      .setting("invert", &BumpNode::invert)
+      .output("Normal", &BumpNode::result)
+      .varying();
+  registry.add<NormalMapNode>("ShaderNodeNormalMap")
+      .input("Strength", &NormalMapNode::strength)
+      .input("Color", &NormalMapNode::color)
+      .choice("space", &NormalMapNode::space,
+              {{"TANGENT", NormalMapSpace::tangent},
+               {"OBJECT", NormalMapSpace::object},
+               {"WORLD", NormalMapSpace::world},
+               {"BLENDER_OBJECT", NormalMapSpace::blender_object},
+               {"BLENDER_WORLD", NormalMapSpace::blender_world}})
+      .setting("uv_map", &NormalMapNode::tangent, ".tangent")
+      .setting("uv_map", &NormalMapNode::tangent_sign, ".tangent.sign")
+      .output("Normal", &NormalMapNode::result)
+      .varying();
+  registry.add<DisplacementNode>("ShaderNodeDisplacement")
+      .input("Height", &DisplacementNode::height)
+      .input("Midlevel", &DisplacementNode::midlevel)
+      .input("Scale", &DisplacementNode::scale)
+      .input("Normal", &DisplacementNode::normal)
+      .implicit(ImplicitInput::normal)
+      .choice("space", &DisplacementNode::space,
+              {{"OBJECT", DisplacementSpace::object}, {"WORLD", DisplacementSpace::world}})
+      .output("Displacement", &DisplacementNode::result)
+      .varying();
+  registry.add<VectorDisplacementNode>("ShaderNodeVectorDisplacement")
+      .input("Vector", &VectorDisplacementNode::vector)
+      .input("Midlevel", &VectorDisplacementNode::midlevel)
+      .input("Scale", &VectorDisplacementNode::scale)
+      .choice("space", &VectorDisplacementNode::space,
+              {{"TANGENT", DisplacementSpace::tangent},
+               {"OBJECT", DisplacementSpace::object},
+               {"WORLD", DisplacementSpace::world}})
+      .output("Displacement", &VectorDisplacementNode::result)
+      .varying();
+}
+
+}  // namespace tenniel

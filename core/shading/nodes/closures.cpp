@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/nodes/closures.h"
+
+#include <algorithm>
+
+#include "bsdf/fresnel.h"
+#include "math/numeric.h"
+#include "shading/nodes/register.h"
+#include "shading/surface_tangent.h"
+
+namespace tenniel {
+namespace {
+
+// What Cycles leaves of refraction where the Fresnel term says that nothing passes.
+constexpr float k_min_transmittance = 1e-4f;
+
+bool may_be_seen(const Input<Spectrum>& color, const Input<float>& strength) {
+  return (color.linked() || !is_black(color.value)) &&
+         (strength.linked() || strength.value != 0.0f);
+}
+
+Microsurface microsurface(GlossyDistribution distribution, float alpha_x, float alpha_y) {
+  return {distribution == GlossyDistribution::beckmann ? MicrofacetDistribution::beckmann
+                                                       : MicrofacetDistribution::ggx,
+          alpha_x, alpha_y};
+}
+
+Lobe reflection_lobe(GlossyDistribution distribution, float roughness) {
+  if (distribution == GlossyDistribution::sharp) return SpecularReflection{};
+  const float alpha = sqr(saturate(roughness));
+  return MicrofacetReflection{microsurface(distribution, alpha, alpha), Fresnel::none()};
+}
+
+Lobe refraction_lobe(GlossyDistribution distribution, float roughness, float eta) {
+  if (distribution == GlossyDistribution::sharp) return SpecularRefraction{eta};
+  const float alpha = sqr(saturate(roughness));
+  return MicrofacetRefraction{microsurface(distribution, alpha, alpha), eta};
+}
+
+}  // namespace
+
+float relative_ior(const SurfaceInteraction& surface, float ior) {
+  const float eta = std::max(ior, 1e-5f);
+  return surface.is_back_facing ? 1.0f / eta : eta;
+}
+
+void DiffuseNode::eval(ShadingContext& context) const {
+  const float sigma = context.get(roughness);
+  const Lobe lobe = sigma > 0.0f ? Lobe(OrenNayar{sigma}) : Lobe(Diffuse{});
+  context.bsdf.add(lobe, context.get(color) * context.get(weight), context.normal(normal));
+}
+
+void GlossyNode::eval(ShadingContext& context) const {
+  context.bsdf.add(reflection_lobe(distribution, context.get(roughness)),
+                   context.get(color) * context.get(weight), context.normal(normal));
+}
+
+void AnisotropicNode::eval(ShadingContext& context) const {
+  const Vec3 n = context.normal(normal);
+  const float alpha = sqr(saturate(context.get(roughness)));
+  const float a = std::clamp(context.get(anisotropy), -0.99f, 0.99f);
+  const float alpha_x = a < 0.0f ? alpha / (1.0f + a) : alpha * (1.0f - a);
+  const float alpha_y = a < 0.0f ? alpha * (1.0f + a) : alpha / (1.0f - a);
+  const Vec3 along = tangent.linked() ? context.get(tangent) : surface_tangent(context.surface, n);
+  const Vec3 turned = rotate_about(along, n, k_two_pi * context.get(rotation));
+  const MicrofacetReflection lobe{microsurface(distribution, alpha_x, alpha_y), Fresnel::none()};
+  context.bsdf.add(lobe, context.get(color) * context.get(weight), n, turned);
+}
+
+void GlassNode::eval(ShadingContext& context) const {
+  const Vec3 n = context.normal(normal);
+  const float eta = relative_ior(context.surface, context.get(ior));
+  const float reflectance = fresnel_dielectric(dot(n, context.surface.wo), eta);
+  const float rough = context.get(roughness);
+  const Spectrum tint = context.get(color) * context.get(weight);
+  context.bsdf.add(reflection_lobe(distribution, rough), tint * reflectance, n);
+  context.bsdf.add(refraction_lobe(distribution, rough, eta),
+                   tint * std::max(1.0f - reflectance, k_min_transmittance), n);
+}
+
+void RefractionNode::eval(ShadingContext& context) const {
+  const float eta = relative_ior(context.surface, context.get(ior));
+  context.bsdf.add(refraction_lobe(distribution, context.get(roughness), eta),
+                   context.get(color) * context.get(weight), context.normal(normal));
+}
+
+void TranslucentNode::eval(ShadingContext& context) const {
+  context.bsdf.add(Translucent{}, context.get(color) * context.get(weight), context.normal(normal));
+}
+
+void TransparentNode::eval(ShadingContext& context) const {
+  context.transparency += context.get(color) * context.get(weight);
+}
+
+uint8_t TransparentNode::closure_parts() const {
+  return color.linked() || !is_black(color.value) ? k_query_transparency : 0;
+}
+
+void EmissionNode::eval(ShadingContext& context) const {
+  context.emission += context.get(color) * (context.get(strength) * context.get(weight));
+}
+
+uint8_t EmissionNode::closure_parts() const {
+  return may_be_seen(color, strength) ? k_query_emission : 0;
+}
+
+void BackgroundNode::eval(ShadingContext& context) const {
+  context.emission += context.get(color) * (context.get(strength) * context.get(weight));
+}
+
+uint8_t BackgroundNode::closure_parts() const {
+  return may_be_seen(color, strength) ? k_query_emission : 0;
+}
+
+void HoldoutNode::eval(ShadingContext& context) const {
+  context.holdout += context.get(weight);
+}
+
+namespace {
+
+// Ashikhmin-Shirley and multiple scattering are drawn as single-scattering GGX.
+constexpr auto k_ggx = GlossyDistribution::ggx;
+constexpr auto k_beckmann = GlossyDistribution::beckmann;
+constexpr auto k_sharp = GlossyDistribution::sharp;
+
+void register_reflecting(NodeRegistry& registry) {
+  registry.add<DiffuseNode>("ShaderNodeBsdfDiffuse")
+      .input("Color", &DiffuseNode::color)
+      .input("Roughness", &DiffuseNode::roughness)
+      .input("Normal", &DiffuseNode::normal)
+      .implicit(ImplicitInput::normal)
+      .closure_output("BSDF")
+      .closure();
+  registry.add<GlossyNode>("ShaderNodeBsdfGlossy")
+      .input("Color", &GlossyNode::color)
+      .input("Roughness", &GlossyNode::roughness)
+      .input("Normal", &GlossyNode::normal)
+      .implicit(ImplicitInput::normal)
+      .choice("distribution", &GlossyNode::distribution,
+              {{"SHARP", k_sharp},
+               {"BECKMANN", k_beckmann},
+               {"GGX", k_ggx},
+               {"ASHIKHMIN_SHIRLEY", k_ggx},
+               {"MULTI_GGX", k_ggx}})
+      .closure_output("BSDF")
+      .closure();
+  registry.add<AnisotropicNode>("ShaderNodeBsdfAnisotropic")
+      .input("Color", &AnisotropicNode::color)
+      .input("Roughness", &AnisotropicNode::roughness)
+      .input("Anisotropy", &AnisotropicNode::anisotropy)
+      .input("Rotation", &AnisotropicNode::rotation)
+      .input("Normal", &AnisotropicNode::normal)
+      .implicit(ImplicitInput::normal)
+      .input("Tangent", &AnisotropicNode::tangent)
+      .implicit(ImplicitInput::tangent)
+      .choice("distribution", &AnisotropicNode::distribution,
+              {{"BECKMANN", k_beckmann},
+               {"GGX", k_ggx},
+               {"MULTI_GGX", k_ggx},
+               {"ASHIKHMIN_SHIRLEY", k_ggx}})
+      .closure_output("BSDF")
+      .closure();
+}
+
+void register_transmitting(NodeRegistry& registry) {
+  registry.add<GlassNode>("ShaderNodeBsdfGlass")
+      .input("Color", &GlassNode::color)
+      .input("Roughness", &GlassNode::roughness)
+      .input("IOR", &GlassNode::ior)
+      .input("Normal", &GlassNode::normal)
+      .implicit(ImplicitInput::normal)
+      .choice("distribution", &GlassNode::distribution,
+              {{"SHARP", k_sharp}, {"BECKMANN", k_beckmann}, {"GGX", k_ggx}, {"MULTI_GGX", k_ggx}})
+      .closure_output("BSDF")
+      .closure();
+  registry.add<RefractionNode>("ShaderNodeBsdfRefraction")
+      .input("Color", &RefractionNode::color)
+      .input("Roughness", &RefractionNode::roughness)
+      .input("IOR", &RefractionNode::ior)
+      .input("Normal", &RefractionNode::normal)
+      .implicit(ImplicitInput::normal)
+      .choice("distribution", &RefractionNode::distribution,
+              {{"SHARP", k_sharp}, {"BECKMANN", k_beckmann}, {"GGX", k_ggx}})
+      .closure_output("BSDF")
+      .closure();
+  registry.add<TranslucentNode>("ShaderNodeBsdfTranslucent")
+      .input("Color", &TranslucentNode::color)
+      .input("Normal", &TranslucentNode::normal)
+      .implicit(ImplicitInput::normal)
+      .closure_output("BSDF")
+      .closure();
+  registry.add<TransparentNode>("ShaderNodeBsdfTransparent")
+      .input("Color", &TransparentNode::color)
+      .closure_output("BSDF")
+      .closure();
+}
+
+}  // namespace
+
+void register_closure_nodes(NodeRegistry& registry) {
+  register_reflecting(registry);
+  register_transmitting(registry);
+  registry.add<EmissionNode>("ShaderNodeEmission")
+      .input("Color", &EmissionNode::color)
+      .input("Strength", &EmissionNode::strength)
+      .closure_output("Emission")
+      .closure();
+  registry.add<BackgroundNode>("ShaderNodeBackground")
+      .input("Color", &BackgroundNode::color)
+      .input("Strength", &BackgroundNode::strength)
+      .closure_output("Background")
+      .closure();
+  registry.add<HoldoutNode>("ShaderNodeHoldout").closure_output("Holdout").closure();
+}
+
+}  // namespace tenniel
