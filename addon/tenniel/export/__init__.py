@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Describes an evaluated Blender scene to the core."""
+
+from . import camera, instances, settings, world
+from .context import Cancelled, ExportContext, ExportError, View
+
+__all__ = ('Cancelled', 'ExportError', 'View', 'export_scene')
+
+
+def export_scene(core, depsgraph, view, camera_source, test_break=lambda: False):
+    """SceneDescription of what `depsgraph` holds.
+
+    core: the native module. view: View. camera_source: camera.FromObject or camera.FromRegion.
+    test_break: polled between objects. Nothing of Blender's data is referred to afterwards.
+
+    Raises ExportError for a scene that cannot be rendered and Cancelled after test_break().
+    Anything less is reported, and what cannot be exported is left out.
+    """
+    context = ExportContext(core, depsgraph, view, test_break)
+    context.description.settings = settings.export_settings(context)
+    context.description.camera = camera_source.export(context)
+    world.export_worlds(context)
+    instances.export_instances(context)
+    return context.description

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Walks all objects of the evaluated scene, instances included, and describes each.
+
+Objects of other kinds than mesh that have a surface (text, curves, metaballs) come from the
+depsgraph as instances of their evaluated mesh, so meshes are all there is to handle.
+"""
+
+from typing import Any, NamedTuple
+
+import bpy
+
+from .. import mirror_tags
+from . import material as materials
+from .context import CAMERA_BIT, GENERATED, Cancelled, matrix_rows, ray_kinds, world_bits
+from .light import export_light
+from .mesh import NO_MESH, export_mesh
+from .node_readers import INSTANCE_ATTRIBUTE_PREFIXES
+from .settings import hash_string, hash_uint2
+
+_UINT_MAX = 0xffffffff
+
+_NOT_RENDERED = {
+    'CURVES': "Hair curves are not rendered",
+    'POINTCLOUD': "Point clouds are not rendered",
+    'VOLUME': "Volumes are not rendered",
+}
+
+# `break` asked for this often costs less than a percent of the walk.
+_OBJECTS_PER_BREAK_TEST = 64
+
+
+class _Template(NamedTuple):
+    """What all instances of one object by one instancer share.
+
+    desc: InstanceDesc, or None where nothing is to be rendered. attributes: (type, name) to read.
+    """
+    desc: Any
+    attributes: tuple
+
+
+_NOTHING = _Template(None, ())
+
+
+def export_instances(context):
+    """Adds meshes and lamps as the depsgraph shows them; reports what cannot be."""
+    walker = _Walker(context)
+    for number, instance in enumerate(context.depsgraph.object_instances):
+        if number % _OBJECTS_PER_BREAK_TEST == 0:
+            context.check_break()
+        if instance.show_self:
+            walker.visit(instance)
+    _report_unseen(context)
+
+
+def _report_unseen(context):
+    if context.behind_objects and not context.has_looking_glass:
+        for name in context.behind_objects:
+            context.report('WARNING', "Exists only behind the mirror, but the scene has no "
+                           "looking glass: it will not be seen", object=name)
+
+
+class _Walker:
+
+    def __init__(self, context):
+        self._context = context
+        self._templates = {}
+        self._tags = {}           # object name_full -> MirrorTags
+        self._reported = set()
+
+    def visit(self, instance):
+        """Describes one entry of the depsgraph; an exception costs this entry only."""
+        obj = instance.object
+        try:
+            if obj.type == 'LIGHT':
+                self._visit_light(instance, obj)
+            elif isinstance(obj.data, bpy.types.Mesh):
+                self._visit_mesh(instance, obj)
+            elif obj.type in _NOT_RENDERED:
+                self._report_once(obj.name, _NOT_RENDERED[obj.type])
+        except (Cancelled, KeyboardInterrupt):
+            raise
+        except Exception:
+            self._context.report_exception(f"Object '{obj.name}'", object=obj.name)
+
+    # Lamps ---------------------------------------------------------------------------------------
+
+    def _visit_light(self, instance, obj):
+        visibility = self._visibility(instance, obj)
+        if visibility[0]:
+            export_light(self._context, obj.data, obj.name, instance.matrix_world, visibility,
+                         _random(instance, obj))
+
+    # Meshes --------------------------------------------------------------------------------------
+
+    def _visit_mesh(self, instance, obj):
+        parent = instance.parent if instance.is_instance else None
+        key = (obj.name_full, obj.data.as_pointer(), parent and parent.name_full)
+        template = self._templates.get(key)
+        if template is None:
+            # Kept also where it fails, so that each of a thousand instances does not fail again.
+            self._templates[key] = _NOTHING
+            template = self._templates[key] = self._prepare(instance, obj)
+        desc = template.desc
+        if desc is None:
+            return
+        desc.object_to_world = matrix_rows(instance.matrix_world)
+        desc.random = _random(instance, obj)
+        if instance.is_instance:
+            # Cycles hands these coordinates to shaders halved and shifted.
+            desc.generated = tuple(0.5 * x - 0.5 for x in instance.orco)
+            desc.instancer_uv = tuple(instance.uv)
+        if template.attributes:
+            desc.attributes = self._instance_attributes(instance, obj, template.attributes)
+        self._context.description.add_instance(desc)
+
+    def _prepare(self, instance, obj):
+        context = self._context
+        worlds, kinds = self._visibility(instance, obj)
+        if not worlds or not kinds or not context.view_layer.use_solid:
+            return _NOTHING
+        tags = self._tags_of(instance, obj)
+        front, behind = self._materials(obj, tags)
+        used = set(front) | set(behind)
+        names = frozenset().union(*(item.attributes for item in used))
+        original = self._original_mesh(obj)
+        if original is None:
+            names -= {GENERATED}
+        mesh = export_mesh(context, obj.data, original, names, len(front) > 1)
+        if mesh == NO_MESH:
+            if tags.looking_glass:
+                self._report_once(obj.name, "A looking glass without faces shows nothing")
+            return _NOTHING
+        desc = context.core.InstanceDesc()
+        desc.name = obj.name
+        desc.mesh = mesh
+        desc.worlds, desc.ray_kinds = worlds, kinds
+        desc.materials = [item.index for item in front]
+        if behind != front:
+            desc.behind_materials = [item.index for item in behind]
+        desc.color = tuple(obj.color)
+        desc.pass_index = obj.pass_index
+        desc.is_holdout = self._layer_flag(instance, obj, 'holdout_get')
+        self._set_looking_glass(desc, obj, tags)
+        self._report_limits(obj)
+        attributes = frozenset().union(*(item.instance_attributes for item in used))
+        return _Template(desc, tuple(sorted(attributes)))
+
+    def _original_mesh(self, obj):
+        """The mesh before modifiers, or None where it is what is rendered."""
+        mesh = getattr(obj.original, 'data', None)
+        if isinstance(mesh, bpy.types.Mesh) and len(obj.modifiers) + _has_shape_keys(mesh):
+            return mesh
+        return None
+
+    def _set_looking_glass(self, desc, obj, tags):
+        context = self._context
+        if tags.side == 'BEHIND':
+            context.behind_objects.append(obj.name)
+        if not tags.looking_glass or context.mirror_view == 'THIS_SIDE':
+            return
+        context.has_looking_glass = True
+        desc.dream = context.dream_index(tags.dream, obj.name)
+        desc.entry = tags.entry
+        desc.reentry = tags.reenter
+        desc.first_seen_only = tags.first_seen_only
+
+    def _materials(self, obj, tags):
+        """ExportedMaterial of each slot: on this side, and in the dreams."""
+        context = self._context
+        override = context.view_layer.material_override
+        slots = [override or slot.material for slot in obj.material_slots] or [override]
+        front = [materials.export_material(context, item) for item in slots]
+        if tags.behind_material is not None:
+            behind = [tags.behind_material] * len(slots)
+        else:
+            behind = [materials.behind_material(item) for item in slots]
+        return front, [materials.export_material(context, item) for item in behind]
+
+    # What holds for an object and its instancer --------------------------------------------------
+
+    def _tags_of(self, instance, obj):
+        tags = self._own_tags(obj)
+        if instance.is_instance and instance.parent is not None:
+            tags = mirror_tags.with_instancer(tags, self._own_tags(instance.parent))
+        return tags
+
+    def _own_tags(self, obj):
+        tags = self._tags.get(obj.name_full)
+        if tags is None:
+            tags = self._tags[obj.name_full] = mirror_tags.effective_tags(obj)
+        return tags
+
+    def _visibility(self, instance, obj):
+        """(worlds, ray_kinds) bits; an instancer hides what it makes."""
+        kinds = ray_kinds(obj)
+        if instance.is_instance and instance.parent is not None:
+            kinds &= ray_kinds(instance.parent)
+        if self._layer_flag(instance, obj, 'indirect_only_get'):
+            kinds &= ~CAMERA_BIT
+        return world_bits(self._tags_of(instance, obj)), kinds
+
+    def _layer_flag(self, instance, obj, getter):
+        """A flag that collections of the view layer may set."""
+        owner = instance.parent if instance.is_instance and instance.parent else obj
+        return bool(getattr(owner, getter)(view_layer=self._context.view_layer))
+
+    # Attributes from outside the mesh ------------------------------------------------------------
+
+    def _instance_attributes(self, instance, obj, wanted):
+        context = self._context
+        values = {}
+        for kind, name in wanted:
+            if kind == 'VIEW_LAYER':
+                owners = [context.view_layer, context.scene, context.scene.world]
+            else:
+                owners = [obj, obj.data]
+                if kind == 'INSTANCER' and instance.is_instance:
+                    particles = instance.particle_system
+                    owners = [particles and particles.settings, instance.parent, *owners]
+            value = _find_value(owners, name)
+            if value is not None:
+                values[INSTANCE_ATTRIBUTE_PREFIXES[kind] + name] = value
+        return values
+
+    # Reports -------------------------------------------------------------------------------------
+
+    def _report_limits(self, obj):
+        if obj.is_shadow_catcher:
+            self._report_once(obj.name, "Shadow catchers are not supported, it is rendered as an "
+                              "ordinary object")
+        if any(item.settings.type == 'HAIR' and item.settings.render_type == 'PATH'
+               for item in obj.particle_systems):
+            self._report_once(obj.name, "Particle hair is not rendered")
+
+    def _report_once(self, name, text):
+        if (name, text) not in self._reported:
+            self._reported.add((name, text))
+            self._context.report('WARNING', text, object=name)
+
+
+def _has_shape_keys(mesh):
+    return mesh.shape_keys is not None
+
+
+def _random(instance, obj):
+    """Number of the Object Info node, in [0, 1], as Cycles makes it."""
+    if instance.is_instance:
+        number = instance.random_id & _UINT_MAX
+    else:
+        number = hash_uint2(hash_string(obj.name), 0)
+    return number / _UINT_MAX
+
+
+def _find_value(owners, name):
+    """The first owner's property `name` as four floats: a custom property, or an RNA path."""
+    for owner in owners:
+        if owner is None or not name:
+            continue
+        value = _four_floats(_property(owner, name))
+        if value is not None:
+            return value
+    return None
+
+
+def _property(owner, name):
+    try:
+        if name in owner.keys():
+            return owner[name]
+        return owner.path_resolve(name)
+    except (AttributeError, TypeError, ValueError):
+        return None
+
+
+def _four_floats(value):
+    if isinstance(value, (bool, int, float)):
+        return (float(value),) * 3 + (1.0,)
+    try:
+        items = tuple(float(item) for item in value)
+    except (TypeError, ValueError):
+        return None
+    return {3: (*items, 1.0), 4: items}.get(len(items))

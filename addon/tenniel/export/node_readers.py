@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The few shader nodes whose data is in neither sockets nor plain settings.
+
+Each reader returns settings by the core's names; the exporter keeps those the core knows. Readers
+also note in `Needs` what a node wants from meshes and instances.
+"""
+
+from dataclasses import dataclass, field
+from typing import Set
+
+from mathutils import Matrix
+
+from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, matrix_rows
+from .image import export_image
+
+# Entries of ramp and curve tables, as in Cycles.
+_TABLE_SIZE = 256
+
+# Attribute nodes that do not read the mesh, by their type: prefix that keeps the names apart.
+INSTANCE_ATTRIBUTE_PREFIXES = {
+    'OBJECT': '\x01object:',
+    'INSTANCER': '\x01instancer:',
+    'VIEW_LAYER': '\x01layer:',
+}
+
+# Textures that take the generated coordinate where their Vector input has no link.
+_WITHOUT_COORDINATE = {'ShaderNodeTexImage', 'ShaderNodeTexEnvironment', 'ShaderNodeTexWhiteNoise',
+                       'ShaderNodeTexIES', 'ShaderNodeTexPointDensity', 'ShaderNodeTexSky'}
+
+
+@dataclass
+class Needs:
+    """What a tree reads of the mesh (attribute names) and of the instance ((type, name))."""
+    attributes: Set[str] = field(default_factory=set)
+    instance_attributes: Set[tuple] = field(default_factory=set)
+
+
+def read(context, node, known, needs, report):
+    """Settings of `node` that have to be read in a way of their own, as a new dict.
+
+    known: NodeType. needs: Needs, added to. report: called with a sentence about the node.
+    """
+    settings = {}
+    if 'texture_mapping' in known.settings and hasattr(node, 'texture_mapping'):
+        mapping = texture_mapping(node.texture_mapping)
+        if mapping is not None:
+            settings['texture_mapping'] = mapping
+        if node.texture_mapping.use_min or node.texture_mapping.use_max:
+            report("The limits of its texture mapping are not supported")
+    if node.bl_idname.startswith('ShaderNodeTex') and node.bl_idname not in _WITHOUT_COORDINATE:
+        needs.attributes.add(GENERATED)
+    reader = _READERS.get(node.bl_idname)
+    if reader is not None:
+        settings.update(reader(context, node, needs, report))
+    return settings
+
+
+# Images ------------------------------------------------------------------------------------------
+
+def _image(context, node, needs, _report):
+    if node.bl_idname == 'ShaderNodeTexImage':
+        needs.attributes.update((ACTIVE_UV, GENERATED))
+    if node.image is None:
+        return {}
+    return {'image': export_image(context, node.image, node.image_user)}
+
+
+def texture_mapping(mapping):
+    """12 floats of a texture node's own mapping, or None where it changes nothing."""
+    rows = matrix_rows(_mapping_matrix(mapping))
+    identity = matrix_rows(Matrix.Identity(4))
+    if all(abs(a - b) < 1e-7 for a, b in zip(rows, identity)):
+        return None
+    return rows
+
+
+def _mapping_matrix(mapping):
+    axes = Matrix(((0.0,) * 4,) * 4)
+    axes[3][3] = 1.0
+    for row, name in enumerate((mapping.mapping_x, mapping.mapping_y, mapping.mapping_z)):
+        if name != 'NONE':
+            axes[row]['XYZ'.index(name)] = 1.0
+    scale = mapping.scale.copy()
+    if mapping.vector_type in {'TEXTURE', 'NORMAL'}:
+        # These divide by the scale.
+        for i in range(3):
+            if abs(scale[i]) < 1e-5:
+                scale[i] = -1e-5 if scale[i] < 0.0 else 1e-5
+    stretch = Matrix.Diagonal((*scale, 1.0))
+    turn = mapping.rotation.to_matrix().to_4x4()
+    shift = Matrix.Translation(mapping.translation)
+    if mapping.vector_type == 'TEXTURE':
+        matrix = (shift @ turn @ stretch).inverted()
+    elif mapping.vector_type == 'POINT':
+        matrix = shift @ turn @ stretch
+    elif mapping.vector_type == 'VECTOR':
+        matrix = turn @ stretch
+    else:
+        matrix = turn @ stretch.inverted()
+    return matrix @ axes
+
+
+# Tables ------------------------------------------------------------------------------------------
+
+def _color_ramp(_context, node, _needs, _report):
+    ramp = node.color_ramp
+    table = [value for i in range(_TABLE_SIZE) for value in ramp.evaluate(i / (_TABLE_SIZE - 1))]
+    return {'color_ramp': table, 'interpolation': ramp.interpolation}
+
+
+def _color_curves(_context, node, _needs, _report):
+    mapping, (low, high) = _prepared(node.mapping, 3)
+    red, green, blue, combined = mapping.curves
+    table = []
+    for x in _table_positions(low, high):
+        x = mapping.evaluate(combined, x)
+        table += [mapping.evaluate(curve, x) for curve in (red, green, blue)]
+    return _curve_settings(mapping, table, low, high)
+
+
+def _vector_curves(_context, node, _needs, _report):
+    mapping, (low, high) = _prepared(node.mapping, 3)
+    table = [mapping.evaluate(curve, x) for x in _table_positions(low, high)
+             for curve in mapping.curves[:3]]
+    return _curve_settings(mapping, table, low, high)
+
+
+def _float_curve(_context, node, _needs, _report):
+    mapping, (low, high) = _prepared(node.mapping, 1)
+    table = [mapping.evaluate(mapping.curves[0], x) for x in _table_positions(low, high)]
+    return _curve_settings(mapping, table, low, high)
+
+
+def _prepared(mapping, count):
+    mapping.initialize()
+    positions = [point.location[0] for curve in mapping.curves[:count] for point in curve.points]
+    return mapping, (min([0.0, *positions]), max([1.0, *positions]))
+
+
+def _table_positions(low, high):
+    return (low + (high - low) * i / (_TABLE_SIZE - 1) for i in range(_TABLE_SIZE))
+
+
+def _curve_settings(mapping, table, low, high):
+    return {'curves': table, 'min_x': low, 'max_x': high,
+            'extrapolate': mapping.extend == 'EXTRAPOLATED'}
+
+
+# Coordinates and attributes ----------------------------------------------------------------------
+
+def _texture_coordinate(context, node, needs, _report):
+    needs.attributes.update((ACTIVE_UV, GENERATED))
+    if node.object is None:
+        return {}
+    world = node.object.evaluated_get(context.depsgraph).matrix_world
+    return {'object_transform': matrix_rows(world.inverted_safe())}
+
+
+def _uv_map(_context, node, needs, _report):
+    needs.attributes.add(node.uv_map)
+    return {'uv_map': node.uv_map}
+
+
+def _tangent(_context, node, needs, _report):
+    needs.attributes.update((node.uv_map, GENERATED))
+    return {'uv_map': node.uv_map}
+
+
+def _color_attribute(_context, node, needs, _report):
+    name = node.layer_name or ACTIVE_COLOR
+    needs.attributes.add(name)
+    return {'layer_name': name}
+
+
+def _attribute(_context, node, needs, _report):
+    name = node.attribute_name
+    prefix = INSTANCE_ATTRIBUTE_PREFIXES.get(node.attribute_type)
+    if prefix is not None:
+        needs.instance_attributes.add((node.attribute_type, name))
+        return {'attribute_name': prefix + name}
+    if name:
+        needs.attributes.add(name)
+    return {'attribute_name': name}
+
+
+_READERS = {
+    'ShaderNodeTexImage': _image,
+    'ShaderNodeTexEnvironment': _image,
+    'ShaderNodeValToRGB': _color_ramp,
+    'ShaderNodeRGBCurve': _color_curves,
+    'ShaderNodeVectorCurve': _vector_curves,
+    'ShaderNodeFloatCurve': _float_curve,
+    'ShaderNodeTexCoord': _texture_coordinate,
+    'ShaderNodeUVMap': _uv_map,
+    'ShaderNodeNormalMap': _uv_map,
+    'ShaderNodeTangent': _tangent,
+    'ShaderNodeVertexColor': _color_attribute,
+    'ShaderNodeAttribute': _attribute,
+}

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Render passes: which there are, and how pixels get into Blender's RenderResult.
+
+Combined, Depth and Normal bear these names in every version of Blender.
+"""
+
+# Core pass -> (view layer switch or '' for always, Blender's type of the pass).
+_SWITCHES = {
+    'Combined': ('', 'COLOR'),
+    'Depth': ('use_pass_z', 'VALUE'),
+    'Normal': ('use_pass_normal', 'VECTOR'),
+}
+
+_takes_flat_rect = None    # whether RenderPass.rect takes a flat array; known after the first write
+
+
+def register_passes(engine, core, scene, view_layer):
+    """Tells Blender which passes this view layer will get."""
+    for info in core.passes():
+        switch, kind = _SWITCHES.get(info.name, (None, None))
+        if kind and (not switch or getattr(view_layer, switch)):
+            engine.register_pass(scene, view_layer, info.name, info.channels, info.channel_ids,
+                                 kind)
+
+
+class PassWriter:
+    """Copies the passes of a session into RenderResults of one size.
+
+    core: the native module. width, height: of the results, which is that of the border.
+    """
+
+    def __init__(self, core, width, height):
+        self._core = core
+        self._pixels = width * height
+        self._buffers = {}    # pass name -> FloatBuffer
+        self._joined = None
+        self._known = {info.name: info.channels for info in core.passes()}
+
+    def write(self, session, layer):
+        """Fills all passes of a RenderLayer with what `session` has so far."""
+        buffers = []
+        for render_pass in layer.passes:
+            buffer = self._buffer(render_pass)
+            if self._known.get(render_pass.name) == render_pass.channels:
+                session.read_pass(render_pass.name, buffer)
+            buffers.append(buffer)
+        self._upload(layer.passes, buffers)
+
+    def _buffer(self, render_pass):
+        buffer = self._buffers.get(render_pass.name)
+        if buffer is None:
+            buffer = self._core.FloatBuffer(self._pixels * render_pass.channels)
+            self._buffers[render_pass.name] = buffer
+        return buffer
+
+    def _upload(self, render_passes, buffers):
+        """Blender 4.2 takes each pass as a flat array, earlier ones all passes in one."""
+        global _takes_flat_rect
+        if _takes_flat_rect is not False and buffers:
+            try:
+                for render_pass, buffer in zip(render_passes, buffers):
+                    render_pass.rect.foreach_set(buffer)
+                _takes_flat_rect = True
+                return
+            except TypeError:
+                # Nothing was written: the size is compared first.
+                _takes_flat_rect = False
+        render_passes.foreach_set('rect', self._join(buffers))
+
+    def _join(self, buffers):
+        if len(buffers) == 1:
+            return buffers[0]
+        if self._joined is None:
+            self._joined = self._core.FloatBuffer(sum(len(buffer) for buffer in buffers))
+        target, start = memoryview(self._joined), 0
+        for buffer in buffers:
+            target[start:start + len(buffer)] = memoryview(buffer)
+            start += len(buffer)
+        return self._joined
