@@ -14,8 +14,7 @@ LobeSet lobes_that_see(Visibility visibility, WorldIndex world) {
   LobeSet lobes = LobeSet::none();
   if (visibility.seen_by(world, RayKind::diffuse)) lobes = lobes.with(LobeClass::diffuse);
   if (visibility.seen_by(world, RayKind::glossy)) lobes = lobes.with(LobeClass::glossy);
-  if (visibility.seen_by(world, RayKind::transmission))
-    lobes = lobes.with(LobeClass::transmission);
+  if (visibility.seen_by(world, RayKind::transmission)) lobes = lobes.with(LobeClass::transmission);
   return lobes;
 }
 
@@ -25,14 +24,14 @@ std::optional<LightSample> sample_mesh_light(const Scene& scene, const MeshLight
   const auto drawn = light.sample(point, u);
   if (!drawn) return {};
   const Instance& instance = light.instance();
-  const Material& material = scene.materials[instance.material(
-      light.mesh().material_slot(drawn->hit.face), path.world)];
+  const Material& material =
+      scene.materials[instance.material(light.mesh().material_slot(drawn->hit.face), path.world)];
   if (!material.emits || !material.sample_as_light) return {};
   Spectrum radiance = material.constant_emission;
   if (!material.is_emission_constant) {
     const Ray ray{point.position, drawn->wi};
-    radiance = surface_emission(scene, material, scene.interaction(ray, drawn->hit, 0.0f), path,
-                                scratch);
+    radiance =
+        surface_emission(scene, material, scene.interaction(ray, drawn->hit, 0.0f), path, scratch);
   }
   return LightSample{drawn->wi, drawn->distance, radiance, drawn->pdf, false};
 }
@@ -56,14 +55,16 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
     return sample_environment(scene, *environment, point, path, u, scratch);
   auto sample = std::visit(
       [&](const auto& lamp) -> std::optional<LightSample> {
-        if constexpr (requires { lamp.intersect(Ray()); }) return lamp.sample(point, u);
-        else return {};
+        if constexpr (requires { lamp.intersect(Ray()); })
+          return lamp.sample(point, u);
+        else
+          return {};
       },
       light.shape);
   if (sample && light.material) {
     const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
-    sample->radiance *= lamp_emission(scene, light, position, sample->wi, sample->distance, path,
-                                      scratch);
+    sample->radiance *=
+        lamp_emission(scene, light, position, sample->wi, sample->distance, path, scratch);
   }
   return sample;
 }
@@ -178,9 +179,8 @@ float surface_emission_weight(const Scene& scene, const PathState& state,
   if (state.pdf <= 0.0f || at.instance->light < 0) return 1.0f;
   const auto light = static_cast<uint32_t>(at.instance->light);
   const auto* mesh = scene.lights[light].as<MeshLight>();
-  const float light_pdf =
-      mesh->pdf(at, state.origin.position) *
-      scene.light_samplers[state.info.world].probability(state.origin, light);
+  const float light_pdf = mesh->pdf(at, state.origin.position) *
+                          scene.light_samplers[state.info.world].probability(state.origin, light);
   return power_heuristic(state.pdf, light_pdf);
 }
 
@@ -189,9 +189,8 @@ float background_weight(const Scene& scene, const PathState& state) {
   if (state.pdf <= 0.0f || world.light < 0) return 1.0f;
   const auto light = static_cast<uint32_t>(world.light);
   const auto* environment = scene.lights[light].as<EnvironmentLight>();
-  const float light_pdf =
-      environment->pdf(state.origin, state.ray.direction) *
-      scene.light_samplers[state.info.world].probability(state.origin, light);
+  const float light_pdf = environment->pdf(state.origin, state.ray.direction) *
+                          scene.light_samplers[state.info.world].probability(state.origin, light);
   return power_heuristic(state.pdf, light_pdf);
 }
 

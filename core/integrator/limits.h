@@ -23,12 +23,17 @@ inline void count_bounce(PathState& state, const BsdfSample& sample, const Rende
   PathInfo& info = state.info;
   bool reached = ++info.ray_depth > limits.max_bounces;
   switch (sample.lobe_class) {
-    case LobeClass::diffuse: reached |= ++info.diffuse_depth > limits.diffuse_bounces; break;
-    case LobeClass::glossy: reached |= ++info.glossy_depth > limits.glossy_bounces; break;
+    case LobeClass::diffuse:
+      reached |= ++info.diffuse_depth > limits.diffuse_bounces;
+      break;
+    case LobeClass::glossy:
+      reached |= ++info.glossy_depth > limits.glossy_bounces;
+      break;
     case LobeClass::transmission:
       reached |= ++info.transmission_depth > limits.transmission_bounces;
       break;
-    case LobeClass::transparent: break;
+    case LobeClass::transparent:
+      break;
   }
   info.kind = ray_kind_of(sample.lobe_class);
   info.is_singular = sample.is_delta;
@@ -45,11 +50,11 @@ inline float survival_probability(const PathState& state, const RenderSettings& 
   return std::min(std::sqrt(max_component(state.throughput)), 1.0f);
 }
 
-// Scales a contribution so that the sum of its channels stays below three times the limit; 0 = none.
+// Scales a contribution so that the sum of its channels stays below three times the limit; 0 =
+// none.
 inline Spectrum clamped(Spectrum contribution, int bounces, const RenderSettings& limits) {
   const float limit = 3.0f * (bounces > 0 ? limits.clamp_indirect : limits.clamp_direct);
-  const float sum =
-      std::abs(contribution.r) + std::abs(contribution.g) + std::abs(contribution.b);
+  const float sum = std::abs(contribution.r) + std::abs(contribution.g) + std::abs(contribution.b);
   return limit > 0.0f && sum > limit ? contribution * (limit / sum) : contribution;
 }
 

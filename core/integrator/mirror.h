@@ -14,12 +14,14 @@ inline LobeSet entering_lobes(const LookingGlass& glass, const PathState& state)
   if (glass.dream == 0) return LobeSet::none();
   if (glass.first_seen_only && !state.is_specular_so_far) return LobeSet::none();
   const LobeSet reflection = LobeSet::of(LobeClass::glossy);
-  const LobeSet transmission =
-      LobeSet::of(LobeClass::transmission).with(LobeClass::transparent);
+  const LobeSet transmission = LobeSet::of(LobeClass::transmission).with(LobeClass::transparent);
   switch (glass.entry) {
-    case MirrorEntry::reflection: return reflection;
-    case MirrorEntry::transmission: return transmission;
-    case MirrorEntry::both: return reflection | transmission;
+    case MirrorEntry::reflection:
+      return reflection;
+    case MirrorEntry::transmission:
+      return transmission;
+    case MirrorEntry::both:
+      return reflection | transmission;
   }
   return LobeSet::none();
 }

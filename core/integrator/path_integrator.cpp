@@ -71,8 +71,7 @@ SampleResult PathTracer::trace(Vec2 raster) {
     }
     const SurfaceInteraction at =
         scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
-    worker_.sampler.set_dimension(k_camera_dimensions +
-                                  state_.vertices * k_dimensions_per_vertex);
+    worker_.sampler.set_dimension(k_camera_dimensions + state_.vertices * k_dimensions_per_vertex);
     evaluate(at);
     if (apply_holdout(at)) break;
     add_emission(at);
@@ -139,9 +138,8 @@ const Material& PathTracer::evaluate(const SurfaceInteraction& at) {
 // What is held out leaves a hole in the film. True when nothing is left of the path.
 bool PathTracer::apply_holdout(const SurfaceInteraction& at) {
   if (!state_.sees_background) return false;
-  const float holdout = at.instance->is_holdout
-                            ? 1.0f - mean(worker_.surface.transparency)
-                            : worker_.surface.holdout;
+  const float holdout =
+      at.instance->is_holdout ? 1.0f - mean(worker_.surface.transparency) : worker_.surface.holdout;
   if (!(holdout > 0.0f)) return false;
   result_.transparency += mean(state_.throughput) * holdout;
   if (!at.instance->is_holdout) return holdout >= 1.0f;
@@ -181,8 +179,7 @@ void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint&
   const LobeSet smooth = worker_.surface.bsdf.smooth_lobes();
   for (const WorldGroup& group : {groups.keeping, groups.entering}) {
     if ((smooth & group.lobes).empty()) continue;
-    const Spectrum radiance =
-        direct_light(scene_, settings_, state_, group, point, worker_);
+    const Spectrum radiance = direct_light(scene_, settings_, state_, group, point, worker_);
     if (!is_black(radiance)) add(radiance, state_.info.ray_depth);
   }
 }

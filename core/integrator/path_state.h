@@ -24,10 +24,11 @@ struct PathState {
   float distance_from_origin = 0.0f;  // metres, over transparent surfaces since
   // Least density of any bounce so far, for filter glossy.
   float min_pdf = std::numeric_limits<float>::max();
-  bool sees_background = true;       // nothing but transparent surfaces so far
-  bool is_specular_so_far = true;    // only deltas and transparent surfaces so far
-  bool ends_after_transparent = false;  // a bounce limit is reached: only what passes through goes on
-  uint32_t vertices = 0;             // surfaces met, transparent ones included
+  bool sees_background = true;     // nothing but transparent surfaces so far
+  bool is_specular_so_far = true;  // only deltas and transparent surfaces so far
+  bool ends_after_transparent =
+      false;              // a bounce limit is reached: only what passes through goes on
+  uint32_t vertices = 0;  // surfaces met, transparent ones included
 };
 
 }  // namespace tenniel

@@ -32,7 +32,7 @@ float AreaLight::attenuation(float cosine) const {
 }
 
 float AreaLight::pdf(Vec3 from, float distance, float cosine) const {
-  if (is_rectangle) {
+  if (is_rectangle && !is_ellipse) {
     const SphericalRectangle rectangle = seen_from(from);
     if (rectangle.solid_angle() > k_min_solid_angle) return rectangle.pdf();
   }
@@ -76,8 +76,8 @@ std::optional<LampHit> AreaLight::intersect(const Ray& ray) const {
   const Vec3 plane = cross(edge_u, edge_v);
   const float u = dot(cross(local, edge_v), plane) / length_squared(plane);
   const float v = dot(cross(edge_u, local), plane) / length_squared(plane);
-  const bool inside = is_ellipse ? sqr(u) + sqr(v) <= 0.25f
-                                 : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
+  const bool inside =
+      is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
   if (!inside) return {};
   return LampHit{t, radiance * attenuation(cosine), pdf(ray.origin, t, cosine)};
 }

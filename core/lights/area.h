@@ -17,8 +17,8 @@ struct AreaLight {
   Vec3 normal;          // unit, the side that shines
   bool is_ellipse = false;
   bool is_rectangle = true;  // perpendicular edges: sampled by solid angle
-  Spectrum radiance;    // along the normal
-  float tan_spread = 0.0f;         // tan of the complement of half the spread; 0 = no limit
+  Spectrum radiance;         // along the normal
+  float tan_spread = 0.0f;   // tan of the complement of half the spread; 0 = no limit
   float spread_normalization = 1.0f;
 
   float area() const {

@@ -73,8 +73,9 @@ float light_importance(const Light& light, const ShadingPoint& point) {
           [&](const PointLight& l) { return point_lamp(l, 1.0f); },
           [&](const SpotLight& l) {
             const Vec3 from_lamp = normalize_or(point.position - l.point.position, l.axis);
-            const float spread = l.point.radius / std::max(distance(point.position, l.point.position),
-                                                           l.point.radius + 1e-12f);
+            const float spread =
+                l.point.radius /
+                std::max(distance(point.position, l.point.position), l.point.radius + 1e-12f);
             const bool reached = dot(from_lamp, l.axis) > l.cos_half_angle - spread;
             return reached ? point_lamp(l.point, 1.0f) : 0.0f;
           },

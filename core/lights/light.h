@@ -15,18 +15,18 @@
 namespace tenniel {
 
 // Anything that next-event estimation may aim at. The world is a light like any other.
-using LightShape = std::variant<PointLight, SpotLight, AreaLight, SunLight, MeshLight,
-                                EnvironmentLight>;
+using LightShape =
+    std::variant<PointLight, SpotLight, AreaLight, SunLight, MeshLight, EnvironmentLight>;
 
 struct Material;
 
 struct Light {
   std::string name;
   LightShape shape;
-  Visibility visibility;          // worlds and ray kinds; a mesh light's is its object's
+  Visibility visibility;               // worlds and ray kinds; a mesh light's is its object's
   const Material* material = nullptr;  // a lamp's node tree; null: the shape's radiance is all
   bool casts_shadow = true;
-  bool use_mis = true;            // a lamp off MIS is met by no ray
+  bool use_mis = true;  // a lamp off MIS is met by no ray
   int max_bounces = 1024;
 
   template <class Shape>

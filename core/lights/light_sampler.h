@@ -13,8 +13,8 @@ struct LightChoice {
   float probability = 0.0f;
 };
 
-// Chooses a light of one world for a shading point. Few lights are weighed at the point itself; many
-// by their power alone.
+// Chooses a light of one world for a shading point. Few lights are weighed at the point itself;
+// many by their power alone.
 class LightSampler {
  public:
   static constexpr size_t k_max_weighed = 48;

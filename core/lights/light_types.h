@@ -9,7 +9,7 @@ namespace tenniel {
 // Where light is gathered. In a medium, or where the surface transmits, there is no hemisphere.
 struct ShadingPoint {
   Vec3 position;
-  Vec3 normal;              // unit, on the side of the viewer
+  Vec3 normal;                 // unit, on the side of the viewer
   bool has_hemisphere = true;  // only directions above `normal` matter
 };
 

@@ -69,11 +69,12 @@ std::optional<MeshLight::Point> MeshLight::sample(const ShadingPoint& point, Vec
 }
 
 float MeshLight::pdf(const SurfaceInteraction& at, Vec3 from) const {
-  const bool second = halves_ == 2 && at.triangle.vertices == face_triangle(*mesh_, at.face, true).vertices;
+  const bool second =
+      halves_ == 2 && at.triangle.vertices == face_triangle(*mesh_, at.face, true).vertices;
   const uint32_t triangle = at.face * static_cast<uint32_t>(halves_) + (second ? 1u : 0u);
   const float probability = table_.probability(triangle);
-  const Vec3 normal_area = cross(at.corner_points[1] - at.corner_points[0],
-                                 at.corner_points[2] - at.corner_points[0]);
+  const Vec3 normal_area =
+      cross(at.corner_points[1] - at.corner_points[0], at.corner_points[2] - at.corner_points[0]);
   const Vec3 to_light = at.position - from;
   const float distance_squared = length_squared(to_light);
   const float projected_area = 0.5f * abs_dot(to_light, normal_area) / std::sqrt(distance_squared);

@@ -47,7 +47,7 @@ class MeshLight {
   const Instance* instance_;
   uint32_t instance_index_;
   const Mesh* mesh_;
-  int halves_;  // triangles a face: 1 or 2
+  int halves_;        // triangles a face: 1 or 2
   AliasTable table_;  // over face * halves + half
   float power_ = 0.0f;
   Vec3 center_;

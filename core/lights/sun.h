@@ -13,7 +13,7 @@ namespace tenniel {
 // Blender 3.4's sun: seen as a disk of radius tan(angle / 2) at distance 1, radiance
 // strength / (pi tan^2 a cos^3 t) so that a facing plane receives `irradiance`.
 struct SunLight {
-  Vec3 axis;  // unit, from the scene toward the sun
+  Vec3 axis;                 // unit, from the scene toward the sun
   float disk_radius = 0.0f;  // tan(angle / 2); 0 = one direction
   Spectrum irradiance;
 
@@ -36,9 +36,7 @@ struct SunLight {
 
  private:
   // d(disk area) / d(solid angle) = 1 / cos^3 at distance 1.
-  float pdf(float cosine) const {
-    return 1.0f / (k_pi * sqr(disk_radius) * cosine * sqr(cosine));
-  }
+  float pdf(float cosine) const { return 1.0f / (k_pi * sqr(disk_radius) * cosine * sqr(cosine)); }
 };
 
 }  // namespace tenniel

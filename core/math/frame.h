@@ -33,10 +33,20 @@ struct Frame {
 };
 
 // Trigonometry of a unit direction in a local frame (z = normal).
-inline float cos_theta(Vec3 w) { return w.z; }
-inline float abs_cos_theta(Vec3 w) { return std::abs(w.z); }
-inline float sin2_theta(Vec3 w) { return std::max(0.0f, 1.0f - sqr(w.z)); }
-inline float tan2_theta(Vec3 w) { return sin2_theta(w) / sqr(w.z); }
-inline bool same_hemisphere(Vec3 a, Vec3 b) { return a.z * b.z > 0.0f; }
+inline float cos_theta(Vec3 w) {
+  return w.z;
+}
+inline float abs_cos_theta(Vec3 w) {
+  return std::abs(w.z);
+}
+inline float sin2_theta(Vec3 w) {
+  return std::max(0.0f, 1.0f - sqr(w.z));
+}
+inline float tan2_theta(Vec3 w) {
+  return sin2_theta(w) / sqr(w.z);
+}
+inline bool same_hemisphere(Vec3 a, Vec3 b) {
+  return a.z * b.z > 0.0f;
+}
 
 }  // namespace tenniel

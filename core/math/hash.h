@@ -10,7 +10,9 @@
 namespace tenniel {
 
 namespace detail {
-constexpr uint32_t rotate_left(uint32_t x, int k) { return std::rotl(x, k); }
+constexpr uint32_t rotate_left(uint32_t x, int k) {
+  return std::rotl(x, k);
+}
 
 constexpr uint32_t jenkins_final(uint32_t a, uint32_t b, uint32_t c) {
   c = (c ^ b) - rotate_left(b, 14);
@@ -23,7 +25,9 @@ constexpr uint32_t jenkins_final(uint32_t a, uint32_t b, uint32_t c) {
   return c;
 }
 
-constexpr uint32_t jenkins_seed(uint32_t n) { return 0xdeadbeefu + (n << 2) + 13u; }
+constexpr uint32_t jenkins_seed(uint32_t n) {
+  return 0xdeadbeefu + (n << 2) + 13u;
+}
 }  // namespace detail
 
 constexpr uint32_t hash_uint(uint32_t x) {
@@ -71,7 +75,9 @@ constexpr float uint_to_unit_closed(uint32_t h) {
   return static_cast<float>(h) * (1.0f / 4294967295.0f);
 }
 // [0, 1): 24 bits.
-constexpr float uint_to_unit(uint32_t h) { return static_cast<float>(h >> 8) * 0x1p-24f; }
+constexpr float uint_to_unit(uint32_t h) {
+  return static_cast<float>(h >> 8) * 0x1p-24f;
+}
 
 template <class... Floats>
 float hash_float(Floats... k) {

@@ -25,13 +25,15 @@ TEST(Hash, AgreesWithBlender) {
 }
 
 TEST(Transform, InverseUndoesShearScaleAndTranslation) {
-  const Transform t{{2.0f, 0.3f, 0.0f}, {-0.5f, -3.0f, 0.1f}, {0.2f, 0.0f, 0.7f}, {5.0f, -6.0f, 7.0f}};
+  const Transform t{
+      {2.0f, 0.3f, 0.0f}, {-0.5f, -3.0f, 0.1f}, {0.2f, 0.0f, 0.7f}, {5.0f, -6.0f, 7.0f}};
   const Vec3 p{1.5f, -2.0f, 0.25f};
   EXPECT_NEAR(distance(t.inverse().point(t.point(p)), p), 0.0f, 1e-5f);
 }
 
 TEST(Transform, InverseOfASingularMapIsZero) {
-  const Transform flat{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {1.0f, 2.0f, 3.0f}};
+  const Transform flat{
+      {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {1.0f, 2.0f, 3.0f}};
   EXPECT_EQ(flat.inverse().point({9.0f, 9.0f, 9.0f}), Vec3());
 }
 
@@ -45,13 +47,14 @@ TEST(Transform, NormalsStayPerpendicularUnderNonUniformScale) {
 TEST(Frame, IsOrthonormalAndRightHandedInEveryDirection) {
   for (float theta = 0.0f; theta <= k_pi; theta += 0.1f) {
     for (float phi = 0.0f; phi < k_two_pi; phi += 0.37f) {
-      const Vec3 n{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+      const Vec3 n{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                   std::cos(theta)};
       const Frame f = Frame::from_normal(n);
       EXPECT_NEAR(dot(f.x, f.y), 0.0f, 1e-5f);
       EXPECT_NEAR(length(f.x), 1.0f, 1e-5f);
       EXPECT_NEAR(distance(cross(f.x, f.y), n), 0.0f, 1e-5f);
-      EXPECT_NEAR(distance(f.to_world(f.to_local({1.0f, 2.0f, 3.0f})), Vec3{1.0f, 2.0f, 3.0f}), 0.0f,
-                  1e-4f);
+      EXPECT_NEAR(distance(f.to_world(f.to_local({1.0f, 2.0f, 3.0f})), Vec3{1.0f, 2.0f, 3.0f}),
+                  0.0f, 1e-4f);
     }
   }
 }

@@ -13,19 +13,41 @@ constexpr float k_two_pi = 2.0f * k_pi;
 constexpr float k_inv_pi = 0.31830988618379067154f;
 constexpr float k_one_minus_epsilon = 0x1.fffffep-1f;
 
-constexpr float sqr(float x) { return x * x; }
-constexpr float lerp(float a, float b, float t) { return a * (1.0f - t) + b * t; }
-constexpr float saturate(float x) { return std::clamp(x, 0.0f, 1.0f); }
+constexpr float sqr(float x) {
+  return x * x;
+}
+constexpr float lerp(float a, float b, float t) {
+  return a * (1.0f - t) + b * t;
+}
+constexpr float saturate(float x) {
+  return std::clamp(x, 0.0f, 1.0f);
+}
 // 3x^2 - 2x^3 on [0, 1].
-constexpr float smoothstep(float x) { return x * x * (3.0f - 2.0f * x); }
-inline float safe_sqrt(float x) { return std::sqrt(std::max(x, 0.0f)); }
-inline float safe_acos(float x) { return std::acos(std::clamp(x, -1.0f, 1.0f)); }
-inline float safe_asin(float x) { return std::asin(std::clamp(x, -1.0f, 1.0f)); }
+constexpr float smoothstep(float x) {
+  return x * x * (3.0f - 2.0f * x);
+}
+inline float safe_sqrt(float x) {
+  return std::sqrt(std::max(x, 0.0f));
+}
+inline float safe_acos(float x) {
+  return std::acos(std::clamp(x, -1.0f, 1.0f));
+}
+inline float safe_asin(float x) {
+  return std::asin(std::clamp(x, -1.0f, 1.0f));
+}
 // Zero where the divisor is zero: Blender's convention in every shader node.
-constexpr float safe_divide(float a, float b) { return b != 0.0f ? a / b : 0.0f; }
-constexpr float pow5(float x) { return sqr(sqr(x)) * x; }
+constexpr float safe_divide(float a, float b) {
+  return b != 0.0f ? a / b : 0.0f;
+}
+constexpr float pow5(float x) {
+  return sqr(sqr(x)) * x;
+}
 
-inline uint32_t float_bits(float x) { return std::bit_cast<uint32_t>(x); }
-inline float bits_float(uint32_t x) { return std::bit_cast<float>(x); }
+inline uint32_t float_bits(float x) {
+  return std::bit_cast<uint32_t>(x);
+}
+inline float bits_float(uint32_t x) {
+  return std::bit_cast<float>(x);
+}
 
 }  // namespace tenniel

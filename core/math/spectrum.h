@@ -16,25 +16,55 @@ struct Spectrum {
   constexpr explicit Spectrum(float grey) : r(grey), g(grey), b(grey) {}
 };
 
-constexpr Spectrum operator+(Spectrum a, Spectrum b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-constexpr Spectrum operator-(Spectrum a, Spectrum b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-constexpr Spectrum operator*(Spectrum a, Spectrum b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-constexpr Spectrum operator*(Spectrum a, float s) { return {a.r * s, a.g * s, a.b * s}; }
-constexpr Spectrum operator*(float s, Spectrum a) { return a * s; }
-constexpr Spectrum operator/(Spectrum a, float s) { return a * (1.0f / s); }
-constexpr Spectrum& operator+=(Spectrum& a, Spectrum b) { return a = a + b; }
-constexpr Spectrum& operator*=(Spectrum& a, Spectrum b) { return a = a * b; }
-constexpr Spectrum& operator*=(Spectrum& a, float s) { return a = a * s; }
-constexpr bool operator==(Spectrum a, Spectrum b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+constexpr Spectrum operator+(Spectrum a, Spectrum b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+constexpr Spectrum operator-(Spectrum a, Spectrum b) {
+  return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
+constexpr Spectrum operator*(Spectrum a, Spectrum b) {
+  return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+constexpr Spectrum operator*(Spectrum a, float s) {
+  return {a.r * s, a.g * s, a.b * s};
+}
+constexpr Spectrum operator*(float s, Spectrum a) {
+  return a * s;
+}
+constexpr Spectrum operator/(Spectrum a, float s) {
+  return a * (1.0f / s);
+}
+constexpr Spectrum& operator+=(Spectrum& a, Spectrum b) {
+  return a = a + b;
+}
+constexpr Spectrum& operator*=(Spectrum& a, Spectrum b) {
+  return a = a * b;
+}
+constexpr Spectrum& operator*=(Spectrum& a, float s) {
+  return a = a * s;
+}
+constexpr bool operator==(Spectrum a, Spectrum b) {
+  return a.r == b.r && a.g == b.g && a.b == b.b;
+}
 
-constexpr bool is_black(Spectrum a) { return a.r == 0.0f && a.g == 0.0f && a.b == 0.0f; }
+constexpr bool is_black(Spectrum a) {
+  return a.r == 0.0f && a.g == 0.0f && a.b == 0.0f;
+}
 inline bool is_finite(Spectrum a) {
   return std::isfinite(a.r) && std::isfinite(a.g) && std::isfinite(a.b);
 }
-constexpr float max_component(Spectrum a) { return std::max(a.r, std::max(a.g, a.b)); }
-constexpr float mean(Spectrum a) { return (a.r + a.g + a.b) * (1.0f / 3.0f); }
+constexpr float max_component(Spectrum a) {
+  return std::max(a.r, std::max(a.g, a.b));
+}
+constexpr float mean(Spectrum a) {
+  return (a.r + a.g + a.b) * (1.0f / 3.0f);
+}
 // Rec.709 luminance weights.
-constexpr float luminance(Spectrum a) { return 0.2126f * a.r + 0.7152f * a.g + 0.0722f * a.b; }
-constexpr Spectrum lerp(Spectrum a, Spectrum b, float t) { return a * (1.0f - t) + b * t; }
+constexpr float luminance(Spectrum a) {
+  return 0.2126f * a.r + 0.7152f * a.g + 0.0722f * a.b;
+}
+constexpr Spectrum lerp(Spectrum a, Spectrum b, float t) {
+  return a * (1.0f - t) + b * t;
+}
 
 }  // namespace tenniel

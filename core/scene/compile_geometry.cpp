@@ -37,16 +37,18 @@ Mesh mesh_from(const MeshDesc& desc) {
 
 size_t element_count(const MeshDesc& desc, AttributeDomain domain) {
   switch (domain) {
-    case AttributeDomain::vertex: return desc.positions ? desc.positions->size() / 3 : 0;
-    case AttributeDomain::corner: return desc.corner_vertices ? desc.corner_vertices->size() : 0;
-    case AttributeDomain::face: return desc.polygon_starts ? desc.polygon_starts->size() : 0;
+    case AttributeDomain::vertex:
+      return desc.positions ? desc.positions->size() / 3 : 0;
+    case AttributeDomain::corner:
+      return desc.corner_vertices ? desc.corner_vertices->size() : 0;
+    case AttributeDomain::face:
+      return desc.polygon_starts ? desc.polygon_starts->size() : 0;
   }
   return 0;
 }
 
 // Keeps the attributes that some program asks for.
-void add_attributes(Mesh& mesh, MeshDesc& desc, const AttributeIds& ids,
-                    Diagnostics& diagnostics) {
+void add_attributes(Mesh& mesh, MeshDesc& desc, const AttributeIds& ids, Diagnostics& diagnostics) {
   for (AttributeDesc& a : desc.attributes) {
     if (!a.data || ids.find(a.name) == AttributeIds::k_none) continue;
     const AttributeDomain domain = a.domain == "POINT"  ? AttributeDomain::vertex
@@ -84,10 +86,13 @@ void make_tangents(Mesh& mesh, const std::set<std::string>& uv_names) {
 
 // A mesh that only one instance uses joins the top level of the acceleration structure.
 void flatten(Mesh& mesh, const Transform& to_world, const Transform& to_object) {
-  for (Vec3& p : mesh.positions) p = to_world.point(p);
+  for (Vec3& p : mesh.positions)
+    p = to_world.point(p);
   const auto turn = [&](Vec3& n) { n = normalize_or(to_object.transposed_vector(n), n); };
-  for (Vec3& n : mesh.vertex_normals) turn(n);
-  for (Vec3& n : mesh.corner_normals) turn(n);
+  for (Vec3& n : mesh.vertex_normals)
+    turn(n);
+  for (Vec3& n : mesh.corner_normals)
+    turn(n);
   mesh.is_world_space = true;
   mesh.flips_winding = to_world.determinant() < 0.0f;
 }
@@ -145,7 +150,8 @@ Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t ma
 bool can_place(const InstanceDesc& desc, size_t mesh_count, Diagnostics& diagnostics) {
   if (desc.mesh < 0 || static_cast<size_t>(desc.mesh) >= mesh_count) return false;
   if (is_finite(Transform::from_rows(desc.object_to_world))) return true;
-  diagnostics.add({"WARNING", "The object's position, rotation or scale is not a number: it is left out.",
+  diagnostics.add({"WARNING",
+                   "The object's position, rotation or scale is not a number: it is left out.",
                    desc.name, "", "", ""});
   return false;
 }
@@ -155,9 +161,8 @@ bool can_place(const InstanceDesc& desc, size_t mesh_count, Diagnostics& diagnos
 void SceneCompiler::compile_geometry() {
   auto& meshes = description.meshes;
   auto& instances = description.instances;
-  std::erase_if(instances, [&](const InstanceDesc& i) {
-    return !can_place(i, meshes.size(), diagnostics);
-  });
+  std::erase_if(instances,
+                [&](const InstanceDesc& i) { return !can_place(i, meshes.size(), diagnostics); });
   std::vector<int> users(meshes.size(), 0);
   std::vector<size_t> only_user(meshes.size(), 0);
   std::vector<std::set<std::string>> tangents(meshes.size());
@@ -184,8 +189,9 @@ void SceneCompiler::compile_geometry() {
     make_tangents(mesh, tangents[i]);
     index_attributes(mesh, attributes);
     if (mesh.dropped_faces > 0)
-      diagnostics.add({"WARNING", std::to_string(mesh.dropped_faces) +
-                                      " faces are broken (not finite, or without vertices) and left out.",
+      diagnostics.add({"WARNING",
+                       std::to_string(mesh.dropped_faces) +
+                           " faces are broken (not finite, or without vertices) and left out.",
                        meshes[i].name, "", "", ""});
     meshes[i] = MeshDesc();
     const Instance& user = scene.instances[only_user[i]];
@@ -202,9 +208,9 @@ void SceneCompiler::compile_geometry() {
           scene.has_transparent_shadows = true;
   }
   static const std::atomic<bool> never{false};
-  scene.accel = Accel::build(scene.meshes, scene.instances,
-                             control.cancelled ? *control.cancelled : never,
-                             description.settings.threads);
+  scene.accel =
+      Accel::build(scene.meshes, scene.instances, control.cancelled ? *control.cancelled : never,
+                   description.settings.threads);
 }
 
 }  // namespace tenniel

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int k_auto_map_width = 1024, k_auto_map_height = 512;
 
-// Radiant flux P in watts -> intensity P / (4 pi) of a point, spread over the disk pi r^2 that every
-// receiver sees: radiance P / (4 pi^2 r^2).
+// Radiant flux P in watts -> intensity P / (4 pi) of a point, spread over the disk pi r^2 that
+// every receiver sees: radiance P / (4 pi^2 r^2).
 PointLight point_light(const LightDesc& desc, Spectrum power, Vec3 position) {
   PointLight light{position, std::max(desc.radius, 0.0f), power / (4.0f * k_pi)};
   if (light.radius > 0.0f) light.radiance = light.radiance / light.area();
@@ -22,8 +22,7 @@ PointLight point_light(const LightDesc& desc, Spectrum power, Vec3 position) {
 SpotLight spot_light(const LightDesc& desc, Spectrum power, const Transform& matrix) {
   return {point_light(desc, power, matrix.translation),
           normalize_or(-matrix.z, {0.0f, 0.0f, -1.0f}),
-          std::cos(0.5f * std::clamp(desc.spot_size, 0.0f, k_pi)),
-          saturate(desc.spot_blend)};
+          std::cos(0.5f * std::clamp(desc.spot_size, 0.0f, k_pi)), saturate(desc.spot_blend)};
 }
 
 // Power over four times the area, until Blender 3.6: P / (4 A).
@@ -60,8 +59,8 @@ bool has_extent(const LightShape& shape) {
   return !area || area->area() > 0.0f;
 }
 
-// Mean radiance that light sampling may expect of a material, from its folded program or, where that
-// varies over the surface, from a few points of it.
+// Mean radiance that light sampling may expect of a material, from its folded program or, where
+// that varies over the surface, from a few points of it.
 float expected_emission(const Scene& scene, const Instance& instance, const Material& material,
                         size_t slot, ShadingContext& context) {
   if (!material.emits || !material.sample_as_light) return 0.0f;
@@ -109,7 +108,8 @@ void SceneCompiler::compile_lights() {
     const Spectrum power = Spectrum(desc.color[0], desc.color[1], desc.color[2]) * desc.energy;
     const Transform matrix = Transform::from_rows(desc.object_to_world);
     if (!is_finite(power) || !is_finite(matrix)) {
-      diagnostics.add({"WARNING", "The lamp's power, colour or position is not a number: it is off.",
+      diagnostics.add({"WARNING",
+                       "The lamp's power, colour or position is not a number: it is off.",
                        desc.name, "", "", ""});
       continue;
     }
@@ -160,7 +160,9 @@ void SceneCompiler::compile_lights() {
                                                    : k_auto_map_height;
       const PathInfo path{RayKind::diffuse, w, false, true, 1, 1, 0, 0, 0};
       light.shape = EnvironmentLight(
-          [&](Vec3 direction) { return background_radiance(scene, world, direction, path, context); },
+          [&](Vec3 direction) {
+            return background_radiance(scene, world, direction, path, context);
+          },
           desc.sampling == "MANUAL" ? 2 * height : k_auto_map_width, height);
     }
     // Dreams that share the scene's World share no light: each belongs to its own world alone.

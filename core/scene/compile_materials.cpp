@@ -12,13 +12,15 @@ namespace tenniel {
 namespace {
 
 Interpolation interpolation_of(const std::string& name) {
-  return name == "Closest" ? Interpolation::closest
+  return name == "Closest"                    ? Interpolation::closest
          : name == "Cubic" || name == "Smart" ? Interpolation::cubic
                                               : Interpolation::linear;
 }
 
 Extension extension_of(const std::string& name) {
-  return name == "EXTEND" ? Extension::extend : name == "CLIP" ? Extension::clip : Extension::repeat;
+  return name == "EXTEND" ? Extension::extend
+         : name == "CLIP" ? Extension::clip
+                          : Extension::repeat;
 }
 
 AlphaMode alpha_mode_of(const std::string& name) {
@@ -62,8 +64,10 @@ class TextureTable {
     const ImageLoadOptions options{desc.colorspace, alpha_mode_of(desc.alpha_mode), desc.is_data,
                                    compiler_.description.settings.texture_limit};
     if (!desc.is_data && !colorspace_is_supported(desc.colorspace))
-      report(desc, "Colour space '" + desc.colorspace + "' of image '" + desc.name +
-                       "' is not known: taken as sRGB.", "");
+      report(desc,
+             "Colour space '" + desc.colorspace + "' of image '" + desc.name +
+                 "' is not known: taken as sRGB.",
+             "");
     for (ImageTileDesc& tile : desc.tiles) {
       ImageLoadResult result =
           tile.pixels ? image_from_pixels(tile.pixels->data(), tile.width, tile.height,

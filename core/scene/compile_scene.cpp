@@ -30,8 +30,9 @@ Vec2 window_of(const void* camera, Vec3 world_point) {
 
 size_t SceneCompiler::worlds_in_use() const {
   const auto is_glass = [](const InstanceDesc& i) { return i.looking_glass.dream > 0; };
-  const bool leaves = description.settings.start_world > 0 ||
-                      std::any_of(description.instances.begin(), description.instances.end(), is_glass);
+  const bool leaves =
+      description.settings.start_world > 0 ||
+      std::any_of(description.instances.begin(), description.instances.end(), is_glass);
   return leaves ? k_world_count : 1;
 }
 
@@ -48,16 +49,18 @@ void SceneCompiler::compile_camera() {
   camera.clip_start = std::max(desc.clip_start, 1e-6f);
   camera.clip_end = desc.clip_end;
   if (!(camera.clip_end > camera.clip_start)) {
-    diagnostics.add({"WARNING", "The camera's clip end lies before its clip start: nothing is clipped.",
+    diagnostics.add({"WARNING",
+                     "The camera's clip end lies before its clip start: nothing is clipped.",
                      "Camera", "", "", ""});
     camera.clip_end = k_infinity;
   }
   camera.aperture = {std::max(desc.aperture_radius, 0.0f), std::max(desc.focus_distance, 1e-5f),
                      desc.aperture_blades, desc.aperture_rotation,
                      std::max(desc.aperture_ratio, 1e-3f)};
-  const BlenderSensor sensor{desc.lens, desc.sensor_width, desc.sensor_height,
-                             sensor_fit(desc.sensor_fit), desc.shift_x, desc.shift_y,
-                             desc.ortho_scale, desc.pixel_aspect_x, desc.pixel_aspect_y};
+  const BlenderSensor sensor{
+      desc.lens,          desc.sensor_width, desc.sensor_height, sensor_fit(desc.sensor_fit),
+      desc.shift_x,       desc.shift_y,      desc.ortho_scale,   desc.pixel_aspect_x,
+      desc.pixel_aspect_y};
   if (desc.type == "PANO") {
     camera.lens = EquirectangularLens{desc.longitude_min, desc.longitude_max, desc.latitude_min,
                                       desc.latitude_max};

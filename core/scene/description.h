@@ -12,8 +12,8 @@
 #include "shading/node_graph.h"
 
 // The scene as the exporter describes it: plain structs and arrays, still with names. Indices refer
-// to the lists of SceneDescription; -1 = none. Matrices are 12 floats: three rows of four, acting on
-// columns as Blender's. Colours are linear Rec.709. Lengths in metres, angles in radians.
+// to the lists of SceneDescription; -1 = none. Matrices are 12 floats: three rows of four, acting
+// on columns as Blender's. Colours are linear Rec.709. Lengths in metres, angles in radians.
 namespace tenniel {
 
 // Arrays are made by the core, filled by Blender, and kept alive by whoever needs them last.
@@ -24,7 +24,8 @@ using Matrix34 = std::array<float, 12>;
 constexpr Matrix34 k_identity34 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
 struct AttributeDesc {
-  std::string name;    // "" = active UV map, "\x01color" = active colour attribute, else as in Blender
+  std::string
+      name;  // "" = active UV map, "\x01color" = active colour attribute, else as in Blender
   std::string domain;  // "POINT", "CORNER" or "FACE"
   int channels = 3;    // floats per element: 1, 2, 3 or 4
   Buffer<float> data;  // (elements, channels)
@@ -91,8 +92,8 @@ struct LightDesc {
   std::string type = "POINT";  // POINT, SPOT, AREA, SUN
   Matrix34 object_to_world = k_identity34;
   std::array<float, 3> color{1, 1, 1};
-  float energy = 0.0f;      // W; sun: W/m^2
-  float radius = 0.0f;      // point, spot: metres
+  float energy = 0.0f;       // W; sun: W/m^2
+  float radius = 0.0f;       // point, spot: metres
   float spot_size = 0.785f;  // full angle
   float spot_blend = 0.15f;
   std::string shape = "SQUARE";  // SQUARE, RECTANGLE, DISK, ELLIPSE
@@ -109,11 +110,11 @@ struct LightDesc {
 
 struct WorldDesc {
   std::string name;
-  NodeGraph graph;                         // empty: `color` is the background
+  NodeGraph graph;  // empty: `color` is the background
   std::array<float, 3> color{0, 0, 0};
-  VisibilityDesc visibility;               // only ray kinds count
-  std::string sampling = "AUTOMATIC";      // NONE, AUTOMATIC, MANUAL
-  int map_resolution = 1024;               // for MANUAL: height of the importance map
+  VisibilityDesc visibility;           // only ray kinds count
+  std::string sampling = "AUTOMATIC";  // NONE, AUTOMATIC, MANUAL
+  int map_resolution = 1024;           // for MANUAL: height of the importance map
   int max_bounces = 1024;
 };
 
@@ -155,11 +156,11 @@ struct RenderSettings {
   int samples = 128;
   int sample_offset = 0;
   uint32_t seed = 0;
-  int threads = 0;           // 0 = all
-  float time_limit = 0.0f;   // seconds; 0 = none
+  int threads = 0;          // 0 = all
+  float time_limit = 0.0f;  // seconds; 0 = none
   int max_bounces = 12, diffuse_bounces = 4, glossy_bounces = 4, transmission_bounces = 12;
   int transparent_max_bounces = 8;
-  int min_light_bounces = 0;  // no roulette before
+  int min_light_bounces = 0;                          // no roulette before
   float clamp_direct = 0.0f, clamp_indirect = 10.0f;  // 0 = none
   float blur_glossy = 1.0f;
   bool caustics_reflective = true, caustics_refractive = true;

@@ -16,8 +16,8 @@ class SceneError : public std::runtime_error {
 
 // Something in the scene that was replaced by a neutral stand-in.
 struct Diagnostic {
-  std::string severity;  // "WARNING" or "INFO"
-  std::string text;      // a sentence for the artist
+  std::string severity;                      // "WARNING" or "INFO"
+  std::string text;                          // a sentence for the artist
   std::string object, material, node, file;  // where; empty if it does not apply
 };
 

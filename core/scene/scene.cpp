@@ -16,7 +16,8 @@ size_t mesh_bytes(const Mesh& m) {
   size_t total = bytes(m.positions) + bytes(m.face_vertices) + bytes(m.face_corners) +
                  bytes(m.face_polygons) + bytes(m.face_materials) + bytes(m.face_smooth) +
                  bytes(m.vertex_normals) + bytes(m.corner_normals);
-  for (const Attribute& a : m.attributes) total += bytes(a.data);
+  for (const Attribute& a : m.attributes)
+    total += bytes(a.data);
   return total;
 }
 
@@ -32,7 +33,8 @@ void begin_evaluation(const Scene& scene, const PathInfo& path, ShaderDomain dom
 
 size_t Scene::memory_bytes() const {
   size_t total = accel ? accel->memory_bytes() : 0;
-  for (const Mesh& mesh : meshes) total += mesh_bytes(mesh);
+  for (const Mesh& mesh : meshes)
+    total += mesh_bytes(mesh);
   for (const auto& image : images)
     if (image) total += image->memory_bytes();
   return total;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "film/pass.h"
+#include "math/spectrum.h"
+#include "math/vec.h"
+
+namespace tenniel {
+
+// What one sample adds to its pixel.
+struct FilmSample {
+  Spectrum radiance;
+  float transparency = 0.0f;  // 1 - alpha
+  float depth = 1e10f;        // metres
+  Vec3 normal;                // world space
+};
+
+// A rectangle of the film in pixels, y up.
+struct FilmRect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+// Sums of the samples of one pixel. `depth` is that of the first sample: an average of depths would
+// be a place where nothing is.
+struct PixelSums {
+  Spectrum radiance;
+  float transparency = 0.0f;
+  Vec3 normal;
+  float depth = 1e10f;
+  uint32_t samples = 0;
+
+  void add(const FilmSample& sample) {
+    radiance += sample.radiance;
+    transparency += sample.transparency;
+    normal += sample.normal;
+    if (samples++ == 0) depth = sample.depth;
+  }
+};
+
+// Pixels of the picture or of its border. A sample belongs to one pixel, and a tile to one thread
+// at a time, so the result does not depend on the number of threads; reading may go on meanwhile.
+class Film {
+ public:
+  static constexpr int k_tile_size = 16;
+
+  Film(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  size_t memory_bytes() const { return pixels_.size() * sizeof(PixelSums); }
+
+  // All tiles, neighbours close together (Morton order).
+  const std::vector<FilmRect>& tiles() const { return tiles_; }
+  // The sums of tile `index` row by row; and their replacement by what they grew to.
+  std::vector<PixelSums> read_tile(size_t index) const;
+  void write_tile(size_t index, const std::vector<PixelSums>& sums);
+
+  // Averages of one pass over `rect`, bottom row first, channels interleaved; radiance times
+  // `exposure`, colour associated with alpha. `rect` lies inside the film.
+  void read(const PassInfo& pass, FilmRect rect, float exposure, float* target) const;
+
+ private:
+  std::mutex& tile_mutex(int x, int y) const;
+
+  int width_, height_;
+  int tiles_across_;
+  std::vector<PixelSums> pixels_;
+  std::vector<FilmRect> tiles_;
+  std::unique_ptr<std::mutex[]> mutexes_;  // by place of the tile, row by row
+};
+
+}  // namespace tenniel

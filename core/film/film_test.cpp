@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film/film.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace tenniel {
+namespace {
+
+TEST(Film, TilesCoverEveryPixelOnce) {
+  const Film film(37, 21);
+  std::set<std::pair<int, int>> seen;
+  for (const FilmRect& tile : film.tiles())
+    for (int y = 0; y < tile.height; ++y)
+      for (int x = 0; x < tile.width; ++x)
+        EXPECT_TRUE(seen.insert({tile.x + x, tile.y + y}).second);
+  EXPECT_EQ(seen.size(), 37u * 21u);
+  EXPECT_EQ(seen.rbegin()->first, 36);
+}
+
+TEST(Film, AveragesSamplesAndKeepsTheFirstDepth) {
+  Film film(20, 20);
+  for (size_t i = 0; i < film.tiles().size(); ++i) {
+    std::vector<PixelSums> sums = film.read_tile(i);
+    for (PixelSums& pixel : sums) {
+      pixel.add({Spectrum(1.0f, 2.0f, 3.0f), 0.0f, 5.0f, {0.0f, 0.0f, 1.0f}});
+      pixel.add({Spectrum(3.0f, 2.0f, 1.0f), 0.5f, 9.0f, {0.0f, 1.0f, 0.0f}});
+    }
+    film.write_tile(i, sums);
+  }
+  const FilmRect rect{15, 14, 3, 4};  // across four tiles
+  std::vector<float> combined(3 * 4 * 4), depth(3 * 4), normal(3 * 4 * 3);
+  film.read(k_passes[0], rect, 2.0f, combined.data());
+  film.read(k_passes[1], rect, 2.0f, depth.data());
+  film.read(k_passes[2], rect, 2.0f, normal.data());
+  for (size_t i = 0; i < 12; ++i) {
+    EXPECT_FLOAT_EQ(combined[4 * i], 4.0f);
+    EXPECT_FLOAT_EQ(combined[4 * i + 2], 4.0f);
+    EXPECT_FLOAT_EQ(combined[4 * i + 3], 0.75f);
+    EXPECT_FLOAT_EQ(depth[i], 5.0f);
+    EXPECT_FLOAT_EQ(normal[3 * i + 1], 0.5f);
+  }
+}
+
+TEST(Film, PixelsWithoutSamplesAreTransparentBlack) {
+  const Film film(4, 4);
+  std::vector<float> combined(4 * 4 * 4, 7.0f);
+  film.read(k_passes[0], {0, 0, 4, 4}, 1.0f, combined.data());
+  for (const float v : combined)
+    EXPECT_EQ(v, 0.0f);
+}
+
+}  // namespace
+}  // namespace tenniel

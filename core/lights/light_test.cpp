@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lights/light.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "lights/light_sampler.h"
+#include "sampling/sampler.h"
+
+namespace tenniel {
+namespace {
+
+AreaLight area_light(Vec3 center, float size, bool is_ellipse, float spread = k_pi) {
+  AreaLight light;
+  light.center = center;
+  light.edge_u = {size, 0.0f, 0.0f};
+  light.edge_v = {0.0f, -size, 0.0f};
+  light.normal = {0.0f, 0.0f, -1.0f};
+  light.is_ellipse = is_ellipse;
+  light.radiance = Spectrum(1.0f);
+  light.set_spread(spread);
+  return light;
+}
+
+struct LampCase {
+  std::string name;
+  Light light;
+  float irradiance;  // closed form at the origin, normal +z; negative: not known
+};
+
+// E = pi L R^2 / (R^2 + d^2) of a disk that faces the receiver; the square's value is the form
+// factor integral of a 1x1 light at distance 1 (0.7522747 L).
+std::vector<LampCase> lamps() {
+  std::vector<LampCase> cases;
+  const auto add = [&](std::string name, LightShape shape, float irradiance) {
+    Light light;
+    light.shape = std::move(shape);
+    cases.push_back({std::move(name), std::move(light), irradiance});
+  };
+  add("point", PointLight{{0.0f, 0.0f, 2.0f}, 0.5f, Spectrum(3.0f)},
+      3.0f * k_pi * 0.25f / (0.25f + 4.0f));
+  add("spot",
+      SpotLight{{{0.3f, 0.2f, 2.0f}, 0.5f, Spectrum(3.0f)}, {0.0f, 0.0f, -1.0f}, 0.7f, 0.3f},
+      -1.0f);
+  add("square", area_light({0.0f, 0.0f, 1.0f}, 1.0f, false), 0.7522747f);
+  add("disk", area_light({0.0f, 0.0f, 1.0f}, 1.0f, true), k_pi * 0.25f / 1.25f);
+  add("spread", area_light({0.2f, 0.1f, 1.0f}, 1.0f, false, 1.0f), -1.0f);
+  // Blender's sun spreads its strength over a flat disk: the mean cosine of that disk is left over.
+  add("sun", SunLight{{0.0f, 0.0f, 1.0f}, 0.1f, Spectrum(2.0f)},
+      2.0f * 2.0f * (std::sqrt(1.01f) - 1.0f) / 0.01f);
+  return cases;
+}
+
+const ShadingPoint k_floor{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, true};
+
+std::optional<LightSample> sample(const Light& light, const ShadingPoint& point, Vec2 u) {
+  return std::visit(
+      [&](const auto& lamp) -> std::optional<LightSample> {
+        if constexpr (requires { lamp.intersect(Ray()); })
+          return lamp.sample(point, u);
+        else
+          return {};
+      },
+      light.shape);
+}
+
+class LampStatistics : public ::testing::TestWithParam<LampCase> {};
+
+TEST_P(LampStatistics, SampledDirectionMeetsTheLampWithTheSamePdfAndRadiance) {
+  Sampler sampler(1);
+  int found = 0;
+  for (uint32_t i = 0; i < 2000; ++i) {
+    sampler.start_sample(0, 0, i);
+    const auto drawn = sample(GetParam().light, k_floor, sampler.get_2d());
+    if (!drawn) continue;
+    ++found;
+    const auto hit = intersect_lamp(GetParam().light, Ray{k_floor.position, drawn->wi});
+    if (!hit) continue;  // on the rim
+    EXPECT_NEAR(hit->pdf / drawn->pdf, 1.0f, 2e-3f);
+    EXPECT_NEAR(hit->radiance.r, drawn->radiance.r, 2e-3f * drawn->radiance.r + 1e-5f);
+    if (std::isfinite(drawn->distance)) {
+      EXPECT_NEAR(hit->t, drawn->distance, 1e-4f * drawn->distance);
+    }
+  }
+  EXPECT_GT(found, 500);
+}
+
+// Light sampling, rays that meet the lamp and the closed form agree on the irradiance.
+TEST_P(LampStatistics, IrradianceAgreesWithRaysAndClosedForm) {
+  Sampler sampler(2);
+  constexpr uint32_t k_samples = 1u << 16;
+  double by_light = 0.0, by_rays = 0.0;
+  for (uint32_t i = 0; i < k_samples; ++i) {
+    sampler.start_sample(0, 0, i);
+    if (const auto drawn = sample(GetParam().light, k_floor, sampler.get_2d()))
+      by_light += drawn->radiance.r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
+    // The sun is too small for cosine-distributed rays: a narrower cone around it.
+    const bool narrow = GetParam().name == "sun";
+    const float cap = narrow ? 0.006f : 1.0f;
+    const Vec3 wi = warp_uniform_cone(sampler.get_2d(), cap);
+    if (const auto hit = intersect_lamp(GetParam().light, Ray{k_floor.position, wi}))
+      by_rays += hit->radiance.r * wi.z / uniform_cone_pdf(cap);
+  }
+  by_light /= k_samples;
+  by_rays /= k_samples;
+  EXPECT_GT(by_light, 0.0);
+  EXPECT_NEAR(by_rays / by_light, 1.0, 0.01);
+  if (GetParam().irradiance > 0.0f) {
+    EXPECT_NEAR(by_light / GetParam().irradiance, 1.0, 0.002);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lamps, LampStatistics, ::testing::ValuesIn(lamps()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(PointLight, WithoutRadiusIsADelta) {
+  const PointLight light{{0.0f, 3.0f, 4.0f}, 0.0f, Spectrum(50.0f)};
+  const auto drawn = light.sample(k_floor, {0.5f, 0.5f});
+  ASSERT_TRUE(drawn);
+  EXPECT_TRUE(drawn->is_delta);
+  EXPECT_FLOAT_EQ(drawn->distance, 5.0f);
+  EXPECT_FLOAT_EQ(drawn->radiance.g, 2.0f);
+  EXPECT_FALSE(light.sample({light.position, {0.0f, 0.0f, 1.0f}, true}, {0.5f, 0.5f}));
+}
+
+// Rendered by Blender 3.4.1: 30 degrees off the axis a spot without blend lights a plane below it
+// by 0.5625 of what it does on the axis (cos^4: one of them is the spot's own).
+TEST(SpotLight, FallsOffWithTheCosine) {
+  const SpotLight light{
+      {{0.0f, 0.0f, 1.0f}, 0.0f, Spectrum(1.0f)}, {0.0f, 0.0f, -1.0f}, 0.5f, 0.0f};
+  const float offset = std::tan(k_pi / 6.0f);
+  const auto at = [&](float x) {
+    const auto drawn = light.sample({{x, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, true}, {0.5f, 0.5f});
+    return drawn ? drawn->radiance.r * drawn->wi.z : 0.0f;
+  };
+  EXPECT_NEAR(at(offset) / at(0.0f), 0.5625f, 1e-5f);
+  EXPECT_EQ(at(5.0f), 0.0f);
+}
+
+TEST(AreaLight, ShinesOnOneSideOnly) {
+  const AreaLight light = area_light({0.0f, 0.0f, 1.0f}, 1.0f, false);
+  EXPECT_FALSE(light.sample({{0.0f, 0.0f, 2.0f}, {0.0f, 0.0f, -1.0f}, true}, {0.3f, 0.6f}));
+  EXPECT_FALSE(light.intersect(Ray{{0.0f, 0.0f, 2.0f}, {0.0f, 0.0f, -1.0f}}));
+}
+
+class EmissiveQuad : public ::testing::Test {
+ protected:
+  EmissiveQuad() {
+    const float positions[] = {-1, -1, 2, 1, -1, 2, 1, 1, 2, -1, 1, 2, 5, 5, 2};
+    const uint32_t corners[] = {0, 3, 2, 1, 0, 0, 4};
+    const int32_t starts[] = {0, 4}, sizes[] = {4, 3};
+    const uint32_t triangles[] = {0, 1, 2, 0, 2, 3, 4, 5, 6};
+    PolygonSoup soup;
+    soup.positions = positions;
+    soup.vertex_count = 5;
+    soup.corner_vertices = corners;
+    soup.corner_count = 7;
+    soup.polygon_starts = starts;
+    soup.polygon_sizes = sizes;
+    soup.polygon_count = 2;
+    soup.triangle_corners = triangles;
+    soup.triangle_count = 3;
+    mesh = build_mesh(soup);
+    instance.materials = instance.behind_materials = {0};
+  }
+  Mesh mesh;
+  Instance instance;
+};
+
+// The closed form of a square light of side 2 at distance 2 is that of side 1 at distance 1. The
+// second polygon has no area and must never be drawn.
+TEST_F(EmissiveQuad, IrradianceMatchesTheSquareAndPdfMatchesTheHit) {
+  const MeshLight light(instance, 0, mesh, {1.0f});
+  ASSERT_FALSE(light.empty());
+  EXPECT_NEAR(light.power(), 4.0f, 1e-5f);
+  Sampler sampler(3);
+  double sum = 0.0;
+  constexpr uint32_t k_samples = 1u << 14;
+  for (uint32_t i = 0; i < k_samples; ++i) {
+    sampler.start_sample(0, 0, i);
+    const auto drawn = light.sample(k_floor, sampler.get_2d());
+    ASSERT_TRUE(drawn);
+    sum += drawn->wi.z / drawn->pdf;
+    const SurfaceInteraction at =
+        make_interaction(Ray{k_floor.position, drawn->wi}, drawn->hit, instance, mesh, 0.0f);
+    EXPECT_NEAR(light.pdf(at, k_floor.position) / drawn->pdf, 1.0f, 1e-3f);
+    EXPECT_NEAR(distance(at.position, drawn->wi * drawn->distance), 0.0f, 1e-4f);
+  }
+  EXPECT_NEAR(sum / k_samples, 0.7522747, 0.7522747 * 0.003);
+}
+
+TEST_F(EmissiveQuad, DarkSlotsGiveNoLight) {
+  EXPECT_TRUE(MeshLight(instance, 0, mesh, {0.0f}).empty());
+}
+
+TEST(EnvironmentLight, PixelsAreWhereBlenderPutsThem) {
+  EXPECT_NEAR(direction_to_equirectangular({1.0f, 0.0f, 0.0f}).x, 0.5f, 1e-6f);
+  EXPECT_NEAR(direction_to_equirectangular({0.0f, 1.0f, 0.0f}).x, 0.25f, 1e-6f);
+  EXPECT_NEAR(direction_to_equirectangular({0.0f, 0.0f, 1.0f}).y, 1.0f, 1e-6f);
+  for (float x = 0.05f; x < 1.0f; x += 0.1f) {
+    const Vec2 uv{x, 0.3f};
+    const Vec2 back = direction_to_equirectangular(equirectangular_to_direction(uv));
+    EXPECT_NEAR(back.x, uv.x, 1e-6f);
+    EXPECT_NEAR(back.y, uv.y, 1e-6f);
+  }
+}
+
+// L = 1 + a.d gives the irradiance pi + (2 pi / 3) a.n.
+TEST(EnvironmentLightStatistics, LinearRadianceGivesTheKnownIrradiance) {
+  const Vec3 a{0.3f, -0.2f, 0.5f};
+  const auto radiance = [&](Vec3 d) { return Spectrum(1.0f + dot(a, d)); };
+  const EnvironmentLight light(radiance, 256, 128);
+  Sampler sampler(4);
+  double sum = 0.0;
+  constexpr uint32_t k_samples = 1u << 16;
+  for (uint32_t i = 0; i < k_samples; ++i) {
+    sampler.start_sample(0, 0, i);
+    const auto drawn = light.sample(k_floor, sampler.get_2d());
+    if (!drawn) continue;
+    EXPECT_NEAR(light.pdf(k_floor, drawn->wi) / drawn->pdf, 1.0f, 1e-2f);
+    sum += radiance(drawn->wi).r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
+  }
+  EXPECT_NEAR(sum / k_samples, k_pi + k_two_pi / 3.0f * a.z, 0.01);
+}
+
+TEST(LightSampler, ProbabilitiesSumToOneAndFollowTheChoice) {
+  for (const size_t count : {size_t{5}, size_t{200}}) {
+    std::vector<Light> lights(count);
+    for (size_t i = 0; i < count; ++i)
+      lights[i].shape = PointLight{
+          {static_cast<float>(i), 1.0f, 2.0f}, 0.1f, Spectrum(1.0f + static_cast<float>(i % 7))};
+    lights[1].visibility = Visibility::from_sets(2u, 0x3fu);  // only in the first dream
+    const LightSampler sampler(lights, 0);
+    double total = 0.0;
+    for (uint32_t i = 0; i < count; ++i)
+      total += sampler.probability(k_floor, i);
+    EXPECT_NEAR(total, 1.0, 1e-4);
+    EXPECT_EQ(sampler.probability(k_floor, 1), 0.0f);
+    for (float u = 0.0f; u < 1.0f; u += 0.013f) {
+      const auto choice = sampler.choose(k_floor, u);
+      ASSERT_TRUE(choice);
+      EXPECT_NE(choice->light, 1u);
+      EXPECT_NEAR(choice->probability, sampler.probability(k_floor, choice->light), 1e-5f);
+    }
+  }
+}
+
+// A lamp that lights a point is always chosen now and then.
+TEST(LightSampler, ImportanceIsPositiveWhereverALampShines) {
+  Sampler sampler(5);
+  for (const LampCase& c : lamps()) {
+    for (uint32_t i = 0; i < 4000; ++i) {
+      sampler.start_sample(0, 0, i);
+      const Vec2 place = sampler.get_2d();
+      const ShadingPoint point{
+          {6.0f * place.x - 3.0f, 6.0f * place.y - 3.0f, sampler.get_1d() * 1.5f},
+          warp_uniform_sphere(sampler.get_2d()),
+          true};
+      const auto drawn = sample(c.light, point, sampler.get_2d());
+      if (!drawn || !(dot(drawn->wi, point.normal) > 0.0f)) continue;
+      EXPECT_GT(light_importance(c.light, point), 0.0f) << c.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tenniel

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/render_loop.h"
+
+#include <immintrin.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+#include "film/pixel_filter.h"
+#include "integrator/path_integrator.h"
+
+namespace tenniel {
+
+namespace {
+
+constexpr int k_max_samples_per_visit = 16;
+
+// Denormals cost a hundredfold and mean nothing here. The threads are shared with Blender, so the
+// mode is put back.
+class FlushDenormals {
+ public:
+  FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040u); }  // FTZ | DAZ
+  ~FlushDenormals() { _mm_setcsr(saved_); }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+  unsigned saved_;
+};
+
+PixelFilter filter_of(const RenderSettings& settings) {
+  const PixelFilter::Kind kind = settings.pixel_filter == "BOX" ? PixelFilter::Kind::box
+                                 : settings.pixel_filter == "GAUSSIAN"
+                                     ? PixelFilter::Kind::gaussian
+                                     : PixelFilter::Kind::blackman_harris;
+  return PixelFilter(kind, settings.filter_width);
+}
+
+class RenderLoop {
+ public:
+  RenderLoop(const Scene& scene, const RenderSettings& settings, Film& film,
+             RenderCounters& counters, const std::function<void(size_t)>& on_tile)
+      : settings_(settings),
+        film_(film),
+        counters_(counters),
+        on_tile_(on_tile),
+        integrator_(scene, settings),
+        filter_(filter_of(settings)),
+        workers_([&scene, &settings] { return Worker(scene, settings.seed); }) {}
+
+  void run() {
+    const int total = std::max(settings_.samples, 1);
+    for (int first = 0, count = 1; first < total && !must_stop();) {
+      const int end = std::min(first + count, total);
+      tbb::parallel_for(size_t{0}, film_.tiles().size(), [&](size_t tile) {
+        if (!must_stop()) visit(tile, first, end);
+      });
+      if (must_stop()) return;
+      counters_.samples_done = end;
+      first = end;
+      count = std::min(first, k_max_samples_per_visit);
+    }
+  }
+
+ private:
+  bool must_stop() const {
+    if (counters_.cancelled.load(std::memory_order_relaxed)) return true;
+    // The first pass always ends, so that there is a picture.
+    return settings_.time_limit > 0.0f && counters_.samples_done > 0 &&
+           elapsed() > settings_.time_limit;
+  }
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  // Takes samples [first, end) of every pixel of a tile; one cut short by a cancel is not kept.
+  void visit(size_t tile, int first, int end) {
+    const FlushDenormals guard;
+    Worker& worker = workers_.local();
+    const FilmRect rect = film_.tiles()[tile];
+    std::vector<PixelSums> sums = film_.read_tile(tile);
+    uint64_t dropped = 0;
+    for (int y = 0; y < rect.height; ++y) {
+      for (int x = 0; x < rect.width; ++x) {
+        PixelSums& pixel = sums[static_cast<size_t>(y * rect.width + x)];
+        for (int s = first; s < end; ++s) {
+          if (counters_.cancelled.load(std::memory_order_relaxed)) return;
+          const FilmSample sample =
+              take(rect.x + x + settings_.border_x, rect.y + y + settings_.border_y, s, worker);
+          if (is_usable(sample))
+            pixel.add(sample);
+          else
+            ++dropped;
+        }
+      }
+    }
+    film_.write_tile(tile, sums);
+    counters_.dropped_samples += dropped;
+    counters_.pixel_samples_done +=
+        static_cast<uint64_t>(rect.width * rect.height) * static_cast<uint64_t>(end - first);
+    ++counters_.generation;
+    on_tile_(tile);
+  }
+
+  FilmSample take(int x, int y, int s, Worker& worker) const {
+    const auto index = static_cast<uint32_t>(s + settings_.sample_offset);
+    worker.sampler.start_sample(x, y, index);
+    const Vec2 u = worker.sampler.get_2d();
+    // The first sample looks through the middle of the pixel: what Depth and single samples show.
+    const Vec2 offset = index == 0 ? Vec2() : filter_.sample(u);
+    const Vec2 raster{static_cast<float>(x) + 0.5f + offset.x,
+                      static_cast<float>(y) + 0.5f + offset.y};
+    const SampleResult r = integrator_.trace(raster, worker);
+    return {r.radiance, r.transparency, r.depth, r.normal};
+  }
+
+  static bool is_usable(const FilmSample& s) {
+    return is_finite(s.radiance) && std::isfinite(s.transparency) && is_finite(s.normal);
+  }
+
+  const RenderSettings& settings_;
+  Film& film_;
+  RenderCounters& counters_;
+  const std::function<void(size_t)>& on_tile_;
+  PathIntegrator integrator_;
+  PixelFilter filter_;
+  tbb::enumerable_thread_specific<Worker> workers_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void render_passes(const Scene& scene, const RenderSettings& settings, Film& film,
+                   RenderCounters& counters, const std::function<void(size_t tile)>& on_tile) {
+  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  arena.execute([&] { RenderLoop(scene, settings, film, counters, on_tile).run(); });
+}
+
+}  // namespace tenniel
