@@ -24,36 +24,67 @@ auto without_gil(const Work& work) {
   return work();
 }
 
-// The destructor joins threads.
-struct SessionDeleter {
-  void operator()(RenderSession* session) const {
-    without_gil([session] { delete session; });
+// What Python holds. A method takes its own reference while it still has the GIL, so `close` in one
+// thread cannot free the session under a `wait` in another: the last of them does.
+class SessionHandle {
+ public:
+  explicit SessionHandle(SceneDescription& scene) {
+    SceneDescription taken = std::exchange(scene, {});
+    without_gil([&] { session_ = std::make_shared<RenderSession>(std::move(taken)); });
   }
+  ~SessionHandle() { release(std::move(session_)); }
+  SessionHandle(const SessionHandle&) = delete;
+  SessionHandle& operator=(const SessionHandle&) = delete;
+
+  // Runs `work(session)` without the GIL.
+  template <class Work>
+  auto call(const Work& work) const {
+    std::shared_ptr<RenderSession> session = session_;
+    const py::gil_scoped_release released;
+    const std::shared_ptr<RenderSession> held = std::move(session);
+    return work(*held);
+  }
+
+  void close() {
+    auto closed = std::make_shared<RenderSession>(SceneDescription());
+    closed->close();
+    release(std::exchange(session_, std::move(closed)));
+  }
+
+ private:
+  // The destructor joins threads.
+  static void release(std::shared_ptr<RenderSession> session) {
+    if (!session) return;
+    without_gil([&] {
+      session->cancel();
+      session.reset();
+    });
+  }
+
+  std::shared_ptr<RenderSession> session_;
 };
-using SessionHolder = std::unique_ptr<RenderSession, SessionDeleter>;
 
-SessionHolder make_session(SceneDescription& scene) {
-  SceneDescription taken = std::exchange(scene, {});
-  return without_gil([&taken] { return SessionHolder(new RenderSession(std::move(taken))); });
-}
-
-bool wait(RenderSession& session, double seconds) {
+bool wait(const SessionHandle& handle, double seconds) {
   if (std::isnan(seconds)) throw_value_error({"RenderSession.wait", "seconds"}, "is not a number");
   constexpr double k_decades = 1e9;  // what a clock of nanoseconds can still be set to
-  return without_gil([&] { return session.wait(std::clamp(seconds, 0.0, k_decades)); });
+  const double limit = std::clamp(seconds, 0.0, k_decades);
+  return handle.call([&](RenderSession& session) { return session.wait(limit); });
 }
 
-py::list take_diagnostics(RenderSession& session) {
-  std::vector<Diagnostic> diagnostics = without_gil([&] { return session.take_diagnostics(); });
+py::list take_diagnostics(const SessionHandle& handle) {
+  std::vector<Diagnostic> diagnostics =
+      handle.call([](RenderSession& session) { return session.take_diagnostics(); });
   py::list result;
   for (Diagnostic& diagnostic : diagnostics)
     result.append(py::cast(std::move(diagnostic)));
   return result;
 }
 
-py::list finished_tiles(RenderSession& session) {
+py::list finished_tiles(const SessionHandle& handle) {
+  const std::vector<TileRect> tiles =
+      handle.call([](RenderSession& session) { return session.finished_tiles(); });
   py::list result;
-  for (const TileRect& tile : without_gil([&] { return session.finished_tiles(); }))
+  for (const TileRect& tile : tiles)
     result.append(py::make_tuple(tile.x, tile.y, tile.width, tile.height));
   return result;
 }
@@ -76,28 +107,34 @@ TileRect checked_rectangle(TileRect rect, int width, int height) {
   return rect;
 }
 
-void read_pass(const RenderSession& session, const py::object& name, const py::object& target,
-               int x, int y, int width, int height) {
+const std::vector<std::string>& pass_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;
     for (const PassInfo& pass : k_passes)
       result.emplace_back(pass.name);
     return result;
   }();
-  const std::string pass = choice_from_python(name, {"read_pass", "name"}, names);
+  return names;
+}
+
+void read_pass(const SessionHandle& handle, const py::object& name, const py::object& target, int x,
+               int y, int width, int height) {
+  const std::string pass = choice_from_python(name, {"read_pass", "name"}, pass_names());
   // Held here: Python may drop its own reference while the GIL is released.
   const auto buffer = Convert<Buffer<float>>::from_python(target, {"read_pass", "target"});
 
-  const auto [full_width, full_height] =
-      without_gil([&] { return std::pair(session.width(), session.height()); });
+  const auto [full_width, full_height] = handle.call(
+      [](RenderSession& session) { return std::pair(session.width(), session.height()); });
+  if (full_width == 0) throw std::runtime_error("The render session is closed.");
   const TileRect rect = checked_rectangle({x, y, width, height}, full_width, full_height);
-  const size_t needed = without_gil([&] { return session.pass_size(pass, rect); });
-  if (buffer->size() != needed)
-    throw_value_error({"read_pass", "target"}, "needs " + std::to_string(needed) + " values, not " +
-                                                   std::to_string(buffer->size()));
-  const bool done =
-      without_gil([&] { return session.read_pass(pass, rect, buffer->data(), buffer->size()); });
-  if (!done) throw std::runtime_error("There is no picture to read: the render is not running.");
+  const bool done = handle.call([&](RenderSession& session) {
+    return session.read_pass(pass, rect, buffer->data(), buffer->size());
+  });
+  if (done) return;
+  const size_t needed =
+      handle.call([&](RenderSession& session) { return session.pass_size(pass, rect); });
+  throw_value_error({"read_pass", "target"}, "needs " + std::to_string(needed) + " values, not " +
+                                                 std::to_string(buffer->size()));
 }
 
 void write_picture(const py::object& path, const py::object& pixels, int width, int height) {
@@ -157,23 +194,31 @@ void bind_passes(py::module_& module) {
 }
 
 void bind_render_session(py::module_& module) {
-  py::class_<RenderSession, SessionHolder>(
-      module, "RenderSession", "Renders on native threads; none calls Python.", py::module_local())
-      .def(py::init(&make_session), py::arg("scene"),
+  py::class_<SessionHandle>(module, "RenderSession",
+                            "Renders on native threads; none calls Python.", py::module_local())
+      .def(py::init<SceneDescription&>(), py::arg("scene"),
            "Takes the contents of `scene`: it is empty afterwards. Starts nothing.")
-      .def("start", &RenderSession::start, py::call_guard<py::gil_scoped_release>(),
-           "Compiles and renders in the background.")
+      .def(
+          "start",
+          [](const SessionHandle& handle) {
+            handle.call([](RenderSession& session) { session.start(); });
+          },
+          "Compiles and renders in the background.")
       .def("wait", &wait, py::arg("seconds"),
            "Until done or `seconds` are over; True when finished.")
-      .def("cancel", &RenderSession::cancel, py::call_guard<py::gil_scoped_release>())
-      // call_guard has no effect on properties.
-      .def_property_readonly("progress",
-                             [](const RenderSession& session) {
-                               return without_gil([&] { return session.progress(); });
-                             })
+      .def("cancel",
+           [](const SessionHandle& handle) {
+             handle.call([](RenderSession& session) { session.cancel(); });
+           })
+      .def_property_readonly(
+          "progress",
+          [](const SessionHandle& handle) {
+            return handle.call([](RenderSession& session) { return session.progress(); });
+          })
       .def_property_readonly("error",
-                             [](const RenderSession& session) {
-                               return text_to_python(without_gil([&] { return session.error(); }));
+                             [](const SessionHandle& handle) {
+                               return text_to_python(handle.call(
+                                   [](RenderSession& session) { return session.error(); }));
                              })
       .def("take_diagnostics", &take_diagnostics)
       .def("finished_tiles", &finished_tiles,
@@ -181,8 +226,7 @@ void bind_render_session(py::module_& module) {
       .def("read_pass", &read_pass, py::arg("name"), py::arg("target"), py::arg("x") = 0,
            py::arg("y") = 0, py::arg("width") = 0, py::arg("height") = 0,
            "Copies a rectangle (0 sizes: to the edge), bottom row first, channels interleaved.")
-      .def("close", &RenderSession::close, py::call_guard<py::gil_scoped_release>(),
-           "Cancels, joins and frees; harmless twice.");
+      .def("close", &SessionHandle::close, "Cancels, joins and frees; harmless twice.");
 }
 
 }  // namespace
