@@ -1,0 +1,521 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The native module as the exporter meets it: buffers, checks at the border, a tiny render."""
+import array
+import math
+import os
+import tempfile
+import threading
+import time
+import unittest
+
+import bpy
+import mathutils
+from tenniel import native
+
+core = native.core()
+
+IDENTITY = (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
+# A camera at z = 3 looks down at the triangle, which covers the middle of its picture.
+CAMERA = (1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 3)
+SIZE = 32
+POSITIONS = (-2, -2, 0, 2, -2, 0, 0, 3, 0)
+
+
+def buffer(kind, values):
+    """A buffer of the core that holds `values`."""
+    result = kind(len(values))
+    memoryview(result)[:] = array.array({'?': 'B'}.get(memoryview(result).format,
+                                                       memoryview(result).format), values)
+    return result
+
+
+def triangle():
+    mesh = core.MeshDesc()
+    mesh.name = "Triangle"
+    mesh.positions = buffer(core.FloatBuffer, POSITIONS)
+    mesh.corner_vertices = buffer(core.UIntBuffer, (0, 1, 2))
+    mesh.polygon_starts = buffer(core.IntBuffer, (0,))
+    mesh.polygon_sizes = buffer(core.IntBuffer, (3,))
+    mesh.triangle_corners = buffer(core.UIntBuffer, (0, 1, 2))
+    return mesh
+
+
+def small_scene(samples=8, light_energy=math.pi):
+    """One grey triangle below a sun; threads are few, so that the tests are the same anywhere."""
+    scene = core.SceneDescription()
+    instance = core.InstanceDesc()
+    instance.mesh = scene.add_mesh(triangle())
+    scene.add_instance(instance)
+    light = core.LightDesc()
+    light.type = 'SUN'
+    light.energy = light_energy
+    scene.add_light(light)
+    camera = core.CameraDesc()
+    camera.camera_to_world = CAMERA
+    scene.camera = camera
+    settings = core.RenderSettings()
+    settings.width = settings.height = SIZE
+    settings.samples = samples
+    settings.threads = 2
+    scene.settings = settings
+    return scene
+
+
+class ModuleTest(unittest.TestCase):
+
+    def test_attributes(self):
+        self.assertTrue(core.version)
+        self.assertIn(core.isa, ('v2', 'v3', 'v4'))
+        self.assertRegex(core.python_version, r'^3\.\d+$')
+        self.assertRegex(core.embree_version, r'^3\.\d+\.\d+')
+        self.assertRegex(core.oiio_version, r'^2\.\d+\.\d+$')
+
+    def test_passes(self):
+        found = [(p.name, p.channels, p.channel_ids) for p in core.passes()]
+        self.assertEqual(found, [("Combined", 4, "RGBA"), ("Depth", 1, "Z"), ("Normal", 3, "XYZ")])
+
+    def test_node_types_are_those_of_blender(self):
+        kinds = {'boolean', 'integer', 'number', 'choice', 'text', 'table', 'image', 'attribute'}
+        types = core.node_types()
+        self.assertIn('ShaderNodeBsdfDiffuse', types)
+        for idname, info in types.items():
+            with self.subTest(idname):
+                self.assertTrue(hasattr(bpy.types, idname))
+                self.assertLessEqual(set(info.settings.values()), kinds)
+        self.assertIn('Color', types['ShaderNodeBsdfDiffuse'].inputs)
+        self.assertIn('BSDF', types['ShaderNodeBsdfDiffuse'].outputs)
+
+
+class BufferTest(unittest.TestCase):
+    KINDS = ((core.FloatBuffer, 'f', 4), (core.UIntBuffer, 'I', 4), (core.IntBuffer, 'i', 4),
+             (core.ByteBuffer, '?', 1))
+
+    def test_format_length_and_zeros(self):
+        for kind, form, size in self.KINDS:
+            with self.subTest(kind.__name__):
+                view = memoryview(kind(5))
+                self.assertEqual((view.format, view.itemsize, view.shape), (form, size, (5,)))
+                self.assertFalse(view.readonly)
+                self.assertEqual(list(kind(5)), [0] * 5)
+                self.assertEqual(len(kind(0)), 0)
+                self.assertEqual(len(memoryview(kind(0))), 0)
+
+    def test_indexing(self):
+        values = core.IntBuffer(3)
+        memoryview(values)[0] = 7
+        memoryview(values)[2] = -9
+        self.assertEqual((values[0], values[-1], values[-3]), (7, -9, 7))
+        for i in (3, -4, 1 << 40):
+            with self.assertRaises(IndexError):
+                values[i]
+
+    def test_impossible_sizes(self):
+        for kind, _, _ in self.KINDS:
+            with self.assertRaisesRegex(ValueError, f"{kind.__name__}.size"):
+                kind(-1)
+            with self.assertRaisesRegex(TypeError, f"{kind.__name__}.size"):
+                kind(1.5)
+        with self.assertRaises((MemoryError, ValueError)):
+            core.FloatBuffer(1 << 58)
+
+    def test_view_keeps_the_memory(self):
+        view = memoryview(core.FloatBuffer(1000))
+        view[999] = 0.5
+        self.assertEqual(view[999], 0.5)
+
+    def test_blender_fills_them(self):
+        mesh = bpy.data.meshes.new("Filled")
+        mesh.from_pydata([(0, 0, 0), (1, 0, 0), (1, 2, 0), (0, 2, 3)], [], [(0, 1, 2, 3)])
+        mesh.calc_loop_triangles()
+        mesh.polygons[0].use_smooth = True
+        mesh.polygons[0].material_index = 5
+        positions = core.FloatBuffer(12)
+        mesh.vertices.foreach_get('co', positions)
+        self.assertEqual(list(positions), [0, 0, 0, 1, 0, 0, 1, 2, 0, 0, 2, 3])
+        corners = core.UIntBuffer(4)
+        mesh.loops.foreach_get('vertex_index', corners)
+        self.assertEqual(list(corners), [0, 1, 2, 3])
+        triangles = core.UIntBuffer(6)
+        mesh.loop_triangles.foreach_get('loops', triangles)
+        self.assertEqual(sorted(set(triangles)), [0, 1, 2, 3])
+        for name, kind, expected in (('loop_start', core.IntBuffer, 0),
+                                     ('loop_total', core.IntBuffer, 4),
+                                     ('material_index', core.IntBuffer, 5),
+                                     ('use_smooth', core.ByteBuffer, 1)):
+            values = kind(1)
+            mesh.polygons.foreach_get(name, values)
+            self.assertEqual(values[0], expected, name)
+
+    def test_foreach_get_copies_at_once(self):
+        """Value by value a million vertices take about half a second."""
+        count = 1_000_000
+        mesh = bpy.data.meshes.new("Large")
+        mesh.vertices.add(count)
+        mesh.vertices[count - 1].co = (1, 2, 3)
+        positions = core.FloatBuffer(3 * count)
+        seconds = math.inf
+        for _ in range(3):
+            start = time.perf_counter()
+            mesh.vertices.foreach_get('co', positions)
+            seconds = min(seconds, time.perf_counter() - start)
+        self.assertEqual((positions[-3], positions[-2], positions[-1]), (1, 2, 3))
+        bpy.data.meshes.remove(mesh)
+        self.assertLess(seconds, 0.1)
+
+
+class FieldTest(unittest.TestCase):
+
+    def assert_refused(self, error, pattern, owner, name, value):
+        before = getattr(owner, name)
+        with self.assertRaisesRegex(error, pattern):
+            setattr(owner, name, value)
+        self.assertEqual(getattr(owner, name), before)
+
+    def test_values_come_back(self):
+        instance = core.InstanceDesc()
+        for name, value in (('name', "Alice"), ('mesh', 3), ('worlds', 0xffffffff), ('dream', 4),
+                            ('entry', 'BOTH'), ('first_seen_only', True), ('materials', [2, -1]),
+                            ('object_to_world', tuple(map(float, range(12)))),
+                            ('attributes', {"hue": (1.0, 2.0, 3.0, 4.0)})):
+            setattr(instance, name, value)
+            self.assertEqual(getattr(instance, name), value, name)
+
+    def test_lists_are_copies(self):
+        instance = core.InstanceDesc()
+        instance.materials.append(1)
+        self.assertEqual(instance.materials, [])
+
+    def test_sequences_of_blender(self):
+        light = core.LightDesc()
+        light.color = mathutils.Color((0.25, 0.5, 1.0))
+        self.assertEqual(light.color, (0.25, 0.5, 1.0))
+        instance = core.InstanceDesc()
+        instance.generated = mathutils.Vector((1, 2, 3))
+        self.assertEqual(instance.generated, (1, 2, 3))
+        instance.color = bpy.data.objects.new("Coloured", None).color
+        self.assertEqual(instance.color, (1, 1, 1, 1))
+        matrix = mathutils.Matrix.Translation((5, 6, 7))
+        light.object_to_world = [value for row in matrix[:3] for value in row]
+        self.assertEqual(light.object_to_world[3::4], (5, 6, 7))
+
+    def test_wrong_types(self):
+        light, mesh = core.LightDesc(), core.MeshDesc()
+        self.assert_refused(TypeError, "LightDesc.energy must be a number, not str",
+                            light, 'energy', "10")
+        self.assert_refused(TypeError, "LightDesc.type must be text, not int", light, 'type', 3)
+        self.assert_refused(TypeError, "LightDesc.use_mis", light, 'use_mis', 1)
+        self.assert_refused(TypeError, "LightDesc.max_bounces", light, 'max_bounces', 1.0)
+        self.assert_refused(TypeError, "LightDesc.color", light, 'color', "red")
+        self.assert_refused(TypeError, "LightDesc.color", light, 'color', (1, None, 1))
+        self.assert_refused(TypeError, "LightDesc.color", light, 'color', 1.0)
+        self.assert_refused(TypeError, "MeshDesc.positions must be FloatBuffer, not IntBuffer",
+                            mesh, 'positions', core.IntBuffer(3))
+        self.assert_refused(TypeError, "MeshDesc.positions", mesh, 'positions', None)
+        self.assert_refused(TypeError, "MeshDesc.attributes", mesh, 'attributes', [mesh])
+        self.assert_refused(TypeError, "InstanceDesc.attributes", core.InstanceDesc(),
+                            'attributes', [1])
+        with self.assertRaisesRegex(TypeError, "LightDesc.graph must be NodeGraph"):
+            light.graph = mesh
+
+    def test_wrong_sizes_and_ranges(self):
+        instance = core.InstanceDesc()
+        self.assert_refused(ValueError, "InstanceDesc.object_to_world needs 12 numbers, not 4",
+                            instance, 'object_to_world', mathutils.Matrix())
+        self.assert_refused(ValueError, "InstanceDesc.color", instance, 'color', (1, 1, 1))
+        self.assert_refused(ValueError, "InstanceDesc.attributes", instance, 'attributes',
+                            {"hue": (1, 2)})
+        self.assert_refused(ValueError, "InstanceDesc.worlds", instance, 'worlds', -1)
+        self.assert_refused(ValueError, "InstanceDesc.mesh", instance, 'mesh', 1 << 31)
+        self.assert_refused(ValueError, "InstanceDesc.dream", instance, 'dream', 5)
+        self.assert_refused(ValueError, "AttributeDesc.channels", core.AttributeDesc(), 'channels',
+                            5)
+
+    def test_wrong_names(self):
+        for kind, name in ((core.InstanceDesc, 'entry'), (core.InstanceDesc, 'reentry'),
+                           (core.MaterialDesc, 'displacement_method'), (core.LightDesc, 'type'),
+                           (core.LightDesc, 'shape'), (core.WorldDesc, 'sampling'),
+                           (core.ImageDesc, 'alpha_mode'), (core.CameraDesc, 'type'),
+                           (core.CameraDesc, 'sensor_fit'), (core.RenderSettings, 'pixel_filter'),
+                           (core.AttributeDesc, 'domain')):
+            self.assert_refused(ValueError, rf"{kind.__name__}\.{name} must be one of .*'JABBER'",
+                                kind(), name, 'JABBER')
+        with self.assertRaises(AttributeError):
+            core.LightDesc().colour = (1, 1, 1)
+
+    def test_names_that_are_not_utf8(self):
+        tile = core.ImageTileDesc()
+        tile.path = os.fsdecode(b"/tmp/\xff.png")
+        self.assertEqual(os.fsencode(tile.path), b"/tmp/\xff.png")
+
+    def test_parts_are_references(self):
+        material, scene = core.MaterialDesc(), core.SceneDescription()
+        material.graph.add_node('ShaderNodeBsdfDiffuse', "Diffuse")
+        self.assertEqual(material.graph.node_count, 1)
+        scene.settings.width = 77
+        self.assertEqual(scene.settings.width, 77)
+
+
+class SceneTest(unittest.TestCase):
+
+    def test_indices_count_up(self):
+        scene = core.SceneDescription()
+        for add, kind in ((scene.add_instance, core.InstanceDesc), (scene.add_light, core.LightDesc),
+                          (scene.add_material, core.MaterialDesc),
+                          (scene.add_world, core.WorldDesc), (scene.add_image, core.ImageDesc)):
+            self.assertEqual([add(kind()), add(kind())], [0, 1])
+        with self.assertRaises(TypeError):
+            scene.add_light(core.WorldDesc())
+
+    def test_buffers_of_a_mesh_must_fit(self):
+        def misfit(name, values):
+            mesh = triangle()
+            setattr(mesh, name, values)
+            with self.assertRaisesRegex(ValueError, f"MeshDesc.{name}"):
+                core.SceneDescription().add_mesh(mesh)
+
+        misfit('positions', core.FloatBuffer(8))
+        misfit('polygon_sizes', core.IntBuffer(2))
+        misfit('triangle_corners', core.UIntBuffer(4))
+        misfit('material_indices', core.IntBuffer(2))
+        misfit('smooth_flags', core.ByteBuffer(2))
+        misfit('vertex_normals', core.FloatBuffer(6))
+        misfit('corner_normals', core.FloatBuffer(12))
+        with self.assertRaisesRegex(ValueError, "MeshDesc.positions is missing"):
+            core.SceneDescription().add_mesh(core.MeshDesc())
+
+    def test_attributes_of_a_mesh_must_fit(self):
+        for domain, channels, elements in (('POINT', 3, 3), ('CORNER', 2, 3), ('FACE', 4, 1)):
+            attribute = core.AttributeDesc()
+            attribute.name = "hue"
+            attribute.domain, attribute.channels = domain, channels
+            for extra in (0, 1):
+                attribute.data = core.FloatBuffer(channels * elements + extra)
+                mesh = triangle()
+                mesh.attributes = [attribute]
+                if not extra:
+                    self.assertEqual(core.SceneDescription().add_mesh(mesh), 0)
+                    continue
+                with self.assertRaisesRegex(ValueError, "AttributeDesc.data .'hue'"):
+                    core.SceneDescription().add_mesh(mesh)
+
+    def test_pixels_of_an_image_must_fit(self):
+        tile = core.ImageTileDesc()
+        tile.pixels = core.FloatBuffer(4 * 6)
+        tile.width, tile.height = 3, 3
+        image = core.ImageDesc()
+        image.tiles = [tile]
+        with self.assertRaisesRegex(ValueError, "ImageTileDesc.pixels needs 36 values, not 24"):
+            core.SceneDescription().add_image(image)
+        tile.height = 2
+        image.tiles = [tile]
+        self.assertEqual(core.SceneDescription().add_image(image), 0)
+
+
+class NodeGraphTest(unittest.TestCase):
+
+    def setUp(self):
+        self.graph = core.NodeGraph()
+        self.node = self.graph.add_node('ShaderNodeMath', "Add")
+
+    def test_inputs(self):
+        for value in ((1.0,), (1, 2, 3), mathutils.Color((1, 1, 1)), [0, 0, 0, 1]):
+            self.graph.set_input(self.node, 'Value', value)
+        for value in ((), (1, 2), (1, 2, 3, 4, 5)):
+            with self.assertRaisesRegex(ValueError, "ShaderNodeMath.Value needs 1, 3 or 4"):
+                self.graph.set_input(self.node, 'Value', value)
+        with self.assertRaisesRegex(TypeError, "ShaderNodeMath.Value"):
+            self.graph.set_input(self.node, 'Value', 1.0)
+
+    def test_settings(self):
+        for value in (True, 7, 0.5, 'ADD', (1.0, 2.0), core.FloatBuffer(256)):
+            self.graph.set_setting(self.node, 'operation', value)
+        with self.assertRaisesRegex(TypeError, "ShaderNodeMath.operation"):
+            self.graph.set_setting(self.node, 'operation', None)
+        with self.assertRaisesRegex(ValueError, "ShaderNodeMath.operation"):
+            self.graph.set_setting(self.node, 'operation', 1 << 40)
+
+    def test_nodes_must_exist(self):
+        other = self.graph.add_node('ShaderNodeMath', "Multiply")
+        self.graph.link(self.node, 'Value', other, 'Value_001')
+        for call in (lambda: self.graph.link(self.node, 'Value', 2, 'Value'),
+                     lambda: self.graph.link(-1, 'Value', other, 'Value'),
+                     lambda: self.graph.set_input(9, 'Value', (1,)),
+                     lambda: self.graph.set_setting(-1, 'use_clamp', True)):
+            with self.assertRaisesRegex(ValueError, "must be a node of the graph, which has 2"):
+                call()
+
+
+class SessionTest(unittest.TestCase):
+
+    def start(self, scene):
+        session = core.RenderSession(scene)
+        self.addCleanup(session.close)
+        session.start()
+        return session
+
+    def endless(self):
+        """A session that is rendering and will not end in the time of a test."""
+        session = self.start(small_scene(samples=1_000_000_000))
+        limit = time.monotonic() + 30
+        while session.progress.generation == 0 and time.monotonic() < limit:
+            session.wait(0.01)
+        self.assertGreater(session.progress.generation, 0)
+        return session
+
+    def combined(self, session):
+        pixels = core.FloatBuffer(4 * SIZE * SIZE)
+        session.read_pass("Combined", pixels)
+        return pixels
+
+    def test_tiny_render(self):
+        session = self.start(small_scene())
+        self.assertTrue(session.wait(60))
+        self.assertEqual(session.error, "")
+        self.assertEqual([d.text for d in session.take_diagnostics()], [])
+        progress = session.progress
+        self.assertEqual((progress.stage, progress.samples_done, progress.samples_total),
+                         ("Done", 8, 8))
+        self.assertEqual((progress.fraction, progress.dropped_samples), (1.0, 0))
+        self.assertGreaterEqual(progress.peak_memory_bytes, progress.memory_bytes)
+
+        # Sun of pi W/m^2 from above on the default diffuse of 0.8: radiance 0.8.
+        middle = 4 * (SIZE // 2 * SIZE + SIZE // 2)
+        pixels = self.combined(session)
+        for channel in range(3):
+            self.assertAlmostEqual(pixels[middle + channel], 0.8, delta=1e-4)
+        self.assertAlmostEqual(pixels[middle + 3], 1.0, delta=1e-5)
+        # The triangle reaches further down than up at the sides: bottom row first.
+        self.assertGreater(sum(pixels[i] for i in range(4 * SIZE) if i % 4 < 3),
+                           sum(pixels[-1 - i] for i in range(4 * SIZE) if i % 4 > 0))
+
+        depth = core.FloatBuffer(1)
+        session.read_pass("Depth", depth, SIZE // 2, SIZE // 2, 1, 1)
+        self.assertAlmostEqual(depth[0], 3.0, delta=0.01)
+        normal = core.FloatBuffer(3)
+        session.read_pass("Normal", normal, x=SIZE // 2, y=SIZE // 2, width=1, height=1)
+        for value, expected in zip(normal, (0, 0, 1)):
+            self.assertAlmostEqual(value, expected, delta=1e-5)
+
+    def test_tiles_cover_the_picture(self):
+        session = self.start(small_scene())
+        self.assertTrue(session.wait(60))
+        covered = set()
+        for x, y, width, height in session.finished_tiles():
+            covered |= {(i, j) for i in range(x, x + width) for j in range(y, y + height)}
+        self.assertEqual(covered, {(i, j) for i in range(SIZE) for j in range(SIZE)})
+        self.assertEqual(session.finished_tiles(), [])
+
+    def test_rectangle_is_part_of_the_picture(self):
+        session = self.start(small_scene())
+        self.assertTrue(session.wait(60))
+        whole = self.combined(session)
+        part = core.FloatBuffer(4 * 5 * 3)
+        session.read_pass("Combined", part, x=7, y=11, width=5, height=3)
+        expected = [whole[4 * (SIZE * (11 + j) + 7 + i) + c]
+                    for j in range(3) for i in range(5) for c in range(4)]
+        self.assertEqual(list(part), expected)
+
+    def test_read_pass_checks(self):
+        session = self.start(small_scene())
+        target = core.FloatBuffer(4 * SIZE * SIZE)
+        for pattern, arguments in (("one of Combined, Depth, Normal", ("Mist", target)),
+                                   (r"target needs 4096 values, not 3",
+                                    ("Combined", core.FloatBuffer(3))),
+                                   (r"\.x must be", ("Combined", target, -1)),
+                                   (r"\.x must be", ("Combined", target, SIZE)),
+                                   (r"\.height must be", ("Combined", target, 0, 1, 0, SIZE)),
+                                   (r"\.width must be", ("Combined", target, 0, 0, -1, 1))):
+            with self.assertRaisesRegex(ValueError, pattern):
+                session.read_pass(*arguments)
+        with self.assertRaises(TypeError):
+            session.read_pass("Combined", core.IntBuffer(4 * SIZE * SIZE))
+
+    def test_the_scene_is_taken(self):
+        scene = small_scene()
+        core.RenderSession(scene).close()
+        self.assertEqual(scene.add_mesh(triangle()), 0)
+        self.assertEqual(scene.settings.width, core.RenderSettings().width)
+
+    def test_cancel(self):
+        session = self.endless()
+        self.assertFalse(session.wait(0))
+        session.cancel()
+        self.assertTrue(session.wait(10))
+        self.assertEqual((session.progress.stage, session.error), ("Cancelled", ""))
+        self.assertGreater(max(self.combined(session)), 0.1)
+
+    def test_close_twice(self):
+        session = self.endless()
+        session.close()
+        session.close()
+        self.assertTrue(session.wait(0))
+        self.assertEqual(session.finished_tiles(), [])
+        with self.assertRaisesRegex(RuntimeError, "closed"):
+            self.combined(session)
+
+    def test_close_without_start(self):
+        core.RenderSession(small_scene()).close()
+
+    def test_dropped_while_rendering(self):
+        before = threading.active_count()
+        session = core.RenderSession(small_scene(samples=1_000_000_000))
+        session.start()
+        session.wait(0.05)
+        del session
+        self.assertEqual(threading.active_count(), before)
+
+    def test_impossible_scene(self):
+        scene = small_scene()
+        scene.camera.camera_to_world = [math.nan] * 12
+        session = self.start(scene)
+        self.assertTrue(session.wait(30))
+        self.assertEqual(session.progress.stage, "Failed")
+        self.assertRegex(session.error, "^The camera.*not a number.*[.]$")
+
+    def test_python_goes_on_during_wait(self):
+        session = self.endless()
+        count, stop = 0, threading.Event()
+
+        def spin():
+            nonlocal count
+            while not stop.is_set():
+                count += 1
+
+        thread = threading.Thread(target=spin)
+        thread.start()
+        before = count
+        self.assertFalse(session.wait(0.3))
+        during = count - before
+        stop.set()
+        thread.join()
+        # Holding the GIL for 0.3 s, at most the switch to this thread could have been counted.
+        self.assertGreater(during, 10_000)
+
+    def test_close_during_wait(self):
+        session = self.endless()
+        ended = []
+        thread = threading.Thread(target=lambda: ended.append(session.wait(60)))
+        thread.start()
+        time.sleep(0.1)
+        session.close()
+        thread.join(10)
+        self.assertEqual(ended, [True])
+
+
+class WriteImageTest(unittest.TestCase):
+
+    def test_written_image_reads_back(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "picture.exr")
+            core.write_image(path, buffer(core.FloatBuffer, [0.25, 0.5, 2.0, 1.0] * 6), 3, 2)
+            image = bpy.data.images.load(path)
+            self.assertEqual(tuple(image.size), (3, 2))
+            self.assertEqual(list(image.pixels[:4]), [0.25, 0.5, 2.0, 1.0])
+            bpy.data.images.remove(image)
+
+    def test_errors(self):
+        pixels = core.FloatBuffer(4)
+        with self.assertRaisesRegex(ValueError, "write_image.pixels"):
+            core.write_image("/tmp/unused.exr", pixels, 2, 1)
+        with self.assertRaisesRegex(OSError, "/nowhere/picture.exr"):
+            core.write_image("/nowhere/picture.exr", pixels, 1, 1)
