@@ -20,8 +20,8 @@ struct Aperture {
   float ratio = 1.0f;
 };
 
-// Rectangle on the screen that the picture covers, y up; of a perspective camera in units of
-// tan(fov/2) * distance, of an orthographic one in metres.
+// Rectangle on the screen that the picture covers, y up; of a perspective camera on the plane one
+// metre ahead (tan(fov/2) included), of an orthographic one in metres.
 struct ScreenWindow {
   float left = -1.0f, right = 1.0f, bottom = -1.0f, top = 1.0f;
 };
