@@ -100,7 +100,8 @@ class TransmissionTest(ClosureCase):
             self.under_world(name, make)
             self.on_sphere(name, make)
             if roughness:
-                self.under_lamp(name, make, samples=512, size=40.0, angles=(0.0, 60.0))
+                self.under_lamp(name, make, samples=512, size=40.0, angles=(0.0, 60.0),
+                                max_noise=0.02)
 
     def test_refraction(self):
         for distribution, roughness, ior in (("SHARP", 0.0, 1.5), ("GGX", 0.4, 1.5),
@@ -112,7 +113,7 @@ class TransmissionTest(ClosureCase):
             self.on_sphere(name, make)
             if roughness:
                 self.under_lamp(name, make, samples=512, size=40.0, angles=(0.0, 60.0),
-                                behind=True)
+                                behind=True, max_noise=0.02)
 
     def test_glass_sphere_in_uniform_light_is_invisible(self):
         scene_factory.sphere(self.scene, 1.0, scene_factory.simple_material(
