@@ -48,11 +48,12 @@ class OriginTest(ExportTestCase):
         parent = scene_factory.plane(self.scene, 2.0, name="Parent")
         child.parent = parent
         parent.instance_type = 'VERTS'
+        # The child itself is rendered too.
         names = [item.name for item in self.export().instances]
-        self.assertEqual((names.count("Child"), names.count("Parent")), (4, 1))
+        self.assertEqual((names.count("Child"), names.count("Parent")), (4 + 1, 1))
         parent.show_instancer_for_viewport = False
         names = [item.name for item in self.export().instances]
-        self.assertEqual((names.count("Child"), names.count("Parent")), (4, 0))
+        self.assertEqual((names.count("Child"), names.count("Parent")), (4 + 1, 0))
 
     def test_particles(self):
         child = scene_factory.plane(self.scene, 0.1, name="Leaf")

@@ -26,6 +26,10 @@ class ExportTestCase(unittest.TestCase):
     def export(self, view=None, camera=None, test_break=lambda: False):
         """SceneDescription of the scene as it is now; reports start empty."""
         reports.begin(self.scene.name)
+        # Settings of an add-on changed by a script reach the evaluated copies only when tagged; a
+        # render evaluates everything anew.
+        for item in (self.scene, *self.scene.objects, *bpy.data.materials):
+            item.update_tag()
         depsgraph = bpy.context.evaluated_depsgraph_get()
         depsgraph.update()
         return export_scene(self.core, depsgraph, view or View(64, 32),

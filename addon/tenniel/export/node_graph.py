@@ -84,6 +84,7 @@ class _Flattener:
         self._indices = {}    # (path, node name) -> index
         self._waiting = []    # (scope, node, index) whose inputs are still to be followed
         self._converters = {}
+        self._has_alpha_switch = {}    # index -> whether its colour depends on the use of Alpha
 
     def run(self, output, output_type):
         if output is None:
@@ -103,14 +104,19 @@ class _Flattener:
         if index is None:
             label = '/'.join((*scope.path, node.name))
             index = self._indices[key] = self._graph.add_node(node.bl_idname, label)
+            self._has_alpha_switch[index] = self._knows(node, 'alpha_is_linked')
             self._waiting.append((scope, node, index))
         return index
+
+    def _knows(self, node, setting):
+        known = self._context.node_types.get(node.bl_idname)
+        return known is not None and setting in known.settings
 
     def _fill(self, scope, node, index):
         """Copies settings and inputs of a node as far as the core knows them."""
         known = self._context.node_types.get(node.bl_idname)
         if known is None:
-            self._report(scope, node, f"{node.bl_label} nodes are not supported")
+            # The core stands in for it, and reports it.
             return
         for name, value in self._settings(scope, node, known).items():
             try:
@@ -141,6 +147,8 @@ class _Flattener:
             if socket.type in _NUMBERS and source.type != source.native:
                 source = self._as_number(source)
             self._graph.link(source.node, source.socket, index, socket.identifier)
+            if source.socket == 'Alpha' and self._has_alpha_switch.get(source.node):
+                self._graph.set_setting(source.node, 'alpha_is_linked', True)
         elif source.value is not None:
             self._graph.set_input(index, socket.identifier,
                                   _convert(source.value, source.type, socket.type))

@@ -23,6 +23,9 @@ INSTANCE_ATTRIBUTE_PREFIXES = {
     'VIEW_LAYER': '\x01layer:',
 }
 
+# The core answers these by itself, whatever the type of the Attribute node.
+_MIRROR_ATTRIBUTES = {'behind_mirror', 'dream'}
+
 # Textures that take the generated coordinate where their Vector input has no link.
 _WITHOUT_COORDINATE = {'ShaderNodeTexImage', 'ShaderNodeTexEnvironment', 'ShaderNodeTexWhiteNoise',
                        'ShaderNodeTexIES', 'ShaderNodeTexPointDensity', 'ShaderNodeTexSky'}
@@ -109,7 +112,7 @@ def _color_ramp(_context, node, _needs, _report):
 
 
 def _color_curves(_context, node, _needs, _report):
-    mapping, (low, high) = _prepared(node.mapping, 3)
+    mapping, (low, high) = _prepared(node.mapping, 4)
     red, green, blue, combined = mapping.curves
     table = []
     for x in _table_positions(low, high):
@@ -134,7 +137,7 @@ def _float_curve(_context, node, _needs, _report):
 def _prepared(mapping, count):
     mapping.initialize()
     positions = [point.location[0] for curve in mapping.curves[:count] for point in curve.points]
-    return mapping, (min([0.0, *positions]), max([1.0, *positions]))
+    return mapping, (min(positions), max(positions))
 
 
 def _table_positions(low, high):
@@ -142,7 +145,7 @@ def _table_positions(low, high):
 
 
 def _curve_settings(mapping, table, low, high):
-    return {'curves': table, 'min_x': low, 'max_x': high,
+    return {'mapping': table, 'min_x': low, 'max_x': high,
             'extrapolate': mapping.extend == 'EXTRAPOLATED'}
 
 
@@ -175,6 +178,8 @@ def _color_attribute(_context, node, needs, _report):
 def _attribute(_context, node, needs, _report):
     name = node.attribute_name
     prefix = INSTANCE_ATTRIBUTE_PREFIXES.get(node.attribute_type)
+    if name in _MIRROR_ATTRIBUTES:
+        return {'attribute_name': name}
     if prefix is not None:
         needs.instance_attributes.add((node.attribute_type, name))
         return {'attribute_name': prefix + name}

@@ -92,6 +92,5 @@ def hash_string(text):
     """32-bit hash of a name, as Cycles makes the random number of an object from it."""
     value = 0
     for byte in text.encode('utf-8', 'surrogateescape'):
-        # Cycles adds a C `char`, which is signed.
-        value = (value * 37 + (byte if byte < 128 else byte - 256)) & _UINT_MAX
+        value = (value * 37 + byte) & _UINT_MAX
     return value
