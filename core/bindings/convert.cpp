@@ -114,11 +114,12 @@ std::vector<float> floats_from_python(py::handle value, FieldName field) {
 }
 
 void floats_from_python(py::handle value, FieldName field, std::span<float> target) {
-  const std::vector<float> values = floats_from_python(value, field);
-  if (values.size() != target.size())
+  const py::object items = items_from_python(value, field, "a sequence of numbers");
+  if (py::len(items) != target.size())
     throw_value_error(field, "needs " + std::to_string(target.size()) + " numbers, not " +
-                                 std::to_string(values.size()));
-  std::copy(values.begin(), values.end(), target.begin());
+                                 std::to_string(py::len(items)));
+  for (size_t i = 0; i < target.size(); ++i)
+    target[i] = number_from_python(items[py::int_(i)], field);
 }
 
 py::tuple floats_to_python(std::span<const float> values) {

@@ -7,7 +7,6 @@
 #include "math/vec.h"
 
 // The Beckmann microsurface, anisotropic, in a frame with z = the mean normal.
-// [Walter 2007] "Microfacet Models for Refraction through Rough Surfaces".
 // [Heitz 2014] "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs".
 // [Jakob 2014] "An Improved Visible Normal Sampling Routine for the Beckmann Distribution".
 namespace tenniel::beckmann {
@@ -24,12 +23,6 @@ inline float normal_density(Vec3 m, float alpha_x, float alpha_y) {
 }
 
 namespace detail {
-// Length of the horizontal part of `w` stretched by alpha: |cos| / this is the `a` of [Walter
-// 2007].
-inline float stretched_sine(Vec3 w, float alpha_x, float alpha_y) {
-  return std::sqrt(sqr(alpha_x * w.x) + sqr(alpha_y * w.y));
-}
-
 // Inverse error function to single precision (Giles 2010, "Approximating the erfinv function").
 inline float erf_inverse(float x) {
   float w = -std::log((1.0f - x) * (1.0f + x));
@@ -88,23 +81,14 @@ inline float sample_visible_slope(float cos_theta, float sin_theta, float u) {
 }  // namespace detail
 
 // Area of the microsurface visible from `w`, projected on it: |cos| (1 + Lambda), with the exact
-// Lambda [Heitz 2014, eqs. 14, 42, 81]: the density of visible normals must be exact.
+// Lambda [Heitz 2014, eqs. 14, 42, 81]: visible normals are drawn exactly, and Walter's rational
+// fit is up to 0.5 % off.
 inline float visible_area(Vec3 w, float alpha_x, float alpha_y) {
   const float cos_theta = std::abs(w.z);
-  const float sine = detail::stretched_sine(w, alpha_x, alpha_y);
+  const float sine = std::sqrt(sqr(alpha_x * w.x) + sqr(alpha_y * w.y));
   if (cos_theta >= 4.0f * sine) return cos_theta;  // no facet is hidden, to a float
   const float a = cos_theta / sine;
   return 0.5f * (cos_theta * (1.0f + std::erf(a)) + sine * k_inv_sqrt_pi * std::exp(-a * a));
-}
-
-// G1(w) by the rational fit [Walter 2007, eq. 27], up to 0.5 % off the exact form: what Cycles
-// renders with, hence what values use.
-inline float masking(Vec3 w, float alpha_x, float alpha_y) {
-  const float cos_theta = std::abs(w.z);
-  const float sine = detail::stretched_sine(w, alpha_x, alpha_y);
-  if (cos_theta >= 1.6f * sine) return 1.0f;
-  const float a = cos_theta / sine;
-  return (3.535f + 2.181f * a) * a / (1.0f + (2.276f + 2.577f * a) * a);
 }
 
 // Facets as seen from `wo` (wo.z > 0), density D(m) (wo.m) / visible_area(wo).

@@ -28,21 +28,25 @@ struct Clearcoat {
 
   LobeEval eval(Vec3 wo, Vec3 wi) const {
     if (is_delta() || !(wo.z > 0.0f) || !(wi.z > 0.0f)) return {};
-    return eval_facet(wo, wi, normalize(wo + wi));
+    const Vec3 half = wo + wi;
+    const float half_length = length(half);
+    return eval_facet(wo, wi, half / half_length, 0.5f * half_length);
   }
 
   std::optional<LobeSample> sample(Vec3 wo, Vec2 u) const {
     if (is_delta()) return SpecularReflection{fresnel()}.sample(wo, u);
     if (!(wo.z > 0.0f)) return std::nullopt;
-    // Appendix B.2, eq. 5: the facets by their own density D cos.
-    const float log_alpha2 = 2.0f * std::log(alpha);
+    // Appendix B.2, eq. 5: the facets by their own density D cos; here for the sine, which keeps
+    // its digits when the facets are nearly flat.
     const float sin2 =
-        alpha < 1.0f ? 1.0f - std::expm1((1.0f - u.y) * log_alpha2) / (sqr(alpha) - 1.0f) : u.y;
+        alpha < 1.0f ? sqr(alpha) * std::expm1(-2.0f * u.y * std::log(alpha)) / (1.0f - sqr(alpha))
+                     : u.y;
     const float sin_theta = safe_sqrt(sin2), phi = k_two_pi * u.x;
     const Vec3 m{sin_theta * std::cos(phi), sin_theta * std::sin(phi), safe_sqrt(1.0f - sin2)};
     const Vec3 wi = normalize(reflect(wo, m));
-    if (!(dot(wo, m) > 0.0f) || !(wi.z > 0.0f)) return std::nullopt;
-    const LobeEval e = eval_facet(wo, wi, m);
+    const float cos_facet = dot(wo, m);
+    if (!(cos_facet > 0.0f) || !(wi.z > 0.0f)) return std::nullopt;
+    const LobeEval e = eval_facet(wo, wi, m, cos_facet);
     if (!(e.pdf > 0.0f)) return std::nullopt;
     return LobeSample{wi, e.value / e.pdf, e.pdf};
   }
@@ -59,13 +63,13 @@ struct Clearcoat {
     return scale * k_inv_pi / (sqr(m.x) + sqr(m.y) + sqr(alpha * m.z));
   }
 
-  LobeEval eval_facet(Vec3 wo, Vec3 wi, Vec3 m) const {
+  LobeEval eval_facet(Vec3 wo, Vec3 wi, Vec3 m, float cos_facet) const {
     const float density = normal_density(m);
-    const float pdf = density * m.z / (4.0f * dot(wo, m));
-    // G1(wo) / cos(wo) by the visible area, which is never 0.
-    const float masking = ggx::masking(wi, k_masking_alpha, k_masking_alpha) /
-                          ggx::visible_area(wo, k_masking_alpha, k_masking_alpha);
-    return {fresnel()(dot(wo, m)) * (0.25f * density * masking), pdf};
+    const float pdf = density * m.z / (4.0f * cos_facet);
+    // G1(wi) G1(wo) / cos(wo), by the visible areas, which are never 0.
+    const float masking = wi.z / (ggx::visible_area(wi, k_masking_alpha, k_masking_alpha) *
+                                  ggx::visible_area(wo, k_masking_alpha, k_masking_alpha));
+    return {fresnel()(cos_facet) * (0.25f * density * masking), pdf};
   }
 };
 

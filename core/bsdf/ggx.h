@@ -23,11 +23,6 @@ inline float visible_area(Vec3 w, float alpha_x, float alpha_y) {
   return 0.5f * (std::abs(w.z) + std::sqrt(stretched2));
 }
 
-// G1(w) = cos / visible area [Heitz 2014, eq. 43].
-inline float masking(Vec3 w, float alpha_x, float alpha_y) {
-  return std::abs(w.z) / visible_area(w, alpha_x, alpha_y);
-}
-
 // Facets as seen from `wo` (wo.z > 0), density D(m) (wo.m) / visible_area(wo) [Dupuy & Benyoub
 // 2023, listing 3]: on the unit hemisphere, the normals seen are the halves between `wo` and a cap.
 inline Vec3 sample_visible_normal(Vec3 wo, float alpha_x, float alpha_y, Vec2 u) {

@@ -19,9 +19,10 @@ struct MicrofacetRefraction {
   float eta = 1.45f;
 
   static constexpr LobeClass lobe_class() { return LobeClass::transmission; }
-  // Besides a smooth surface, one that hardly bends: its lobe is narrower than a float direction.
+  // Besides a smooth surface, one that hardly bends: its lobe is as narrow.
   bool is_delta() const {
-    return surface.is_specular() || surface.alpha_x * surface.alpha_y * sqr(eta - 1.0f) <= 1e-10f;
+    const float bend = 1.0f - std::min(eta, 1.0f / eta);
+    return tenniel::is_specular(surface.alpha_x * bend, surface.alpha_y * bend);
   }
   float roughness() const { return surface.mean_alpha(); }
   bool make_valid() {
@@ -46,7 +47,7 @@ struct MicrofacetRefraction {
     if (!(cos_o > 0.0f) || !(cos_i < 0.0f)) return {};
     const float area = surface.visible_area(wo);
     const float pdf = facet_pdf(m, cos_o, area) * jacobian(cos_i, half2);
-    const float masking = surface.masking_ratio(wo, area) * surface.masking(wi);
+    const float masking = surface.masking(wi);
     return {Spectrum(pdf * masking), pdf};
   }
 
@@ -61,7 +62,7 @@ struct MicrofacetRefraction {
     const float area = surface.visible_area(wo);
     const float pdf = facet_pdf(m, cos_o, area) * jacobian(cos_i, sqr(cos_o + eta * cos_i));
     if (!(pdf > 0.0f) || !std::isfinite(pdf)) return std::nullopt;
-    const float masking = surface.masking_ratio(wo, area) * surface.masking(*wi);
+    const float masking = surface.masking(*wi);
     return LobeSample{*wi, Spectrum(masking), pdf};
   }
 

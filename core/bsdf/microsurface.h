@@ -43,16 +43,11 @@ struct Microsurface {
     return is_ggx() ? ggx::visible_area(w, alpha_x, alpha_y)
                     : beckmann::visible_area(w, alpha_x, alpha_y);
   }
-  float masking(Vec3 w) const {
-    return is_ggx() ? ggx::masking(w, alpha_x, alpha_y) : beckmann::masking(w, alpha_x, alpha_y);
-  }
+  // G1(w) = cos / visible area (Heitz 2014, eq. 14).
+  float masking(Vec3 w) const { return std::abs(w.z) / visible_area(w); }
   Vec3 sample_visible_normal(Vec3 wo, Vec2 u) const {
     return is_ggx() ? ggx::sample_visible_normal(wo, alpha_x, alpha_y, u)
                     : beckmann::sample_visible_normal(wo, alpha_x, alpha_y, u);
-  }
-  // The masking that values use over the one that visible normals are drawn with.
-  float masking_ratio(Vec3 wo, float area) const {
-    return is_ggx() ? 1.0f : masking(wo) * area / std::abs(wo.z);
   }
 
  private:

@@ -87,7 +87,7 @@ struct Accel::State {
   std::vector<Transform> world_to_object;  // per instance
   std::vector<uint8_t> is_attached;        // per instance
 
-  void open_device(int threads);
+  void open_device();
   RtcScene new_scene() const;
   Geometry new_mesh_geometry(const Mesh& mesh) const;
   RTCScene mesh_scene(const Mesh& mesh, uint32_t index);
@@ -98,11 +98,11 @@ struct Accel::State {
   }
 };
 
-void Accel::State::open_device(int threads) {
-  std::string config = "verbose=0";
-  if (threads > 0) config += ",threads=" + std::to_string(threads);
-  device.reset(rtcNewDevice(config.c_str()));
-  if (!device) throw std::runtime_error("Embree: no device (" + config + ")");
+void Accel::State::open_device() {
+  // Never "threads=": it would cap TBB for the whole process, Blender included. The build runs on
+  // the threads of the arena that calls it.
+  device.reset(rtcNewDevice("verbose=0"));
+  if (!device) throw std::runtime_error("Embree: no device");
   if (rtcGetDeviceProperty(device.get(), RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) == 0)
     throw std::runtime_error("Embree: built without ray masks");
   rtcSetDeviceErrorFunction(
@@ -209,11 +209,11 @@ Accel::~Accel() = default;
 
 std::shared_ptr<const Accel> Accel::build(std::span<const Mesh> meshes,
                                           std::span<const Instance> instances,
-                                          const std::atomic<bool>& cancelled, int threads) {
+                                          const std::atomic<bool>& cancelled) {
   std::shared_ptr<Accel> accel(new Accel);
   State& state = *accel->state_;
   state.cancelled = &cancelled;
-  state.open_device(threads);
+  state.open_device();
   state.mesh_scenes.resize(meshes.size());
   state.instance_scenes.resize(instances.size());
   state.world_to_object.resize(instances.size());

@@ -17,13 +17,13 @@ namespace tenniel {
 class Accel {
  public:
   // Multi-user meshes become true instances, world-space meshes join the top level. `cancelled` is
-  // polled during the build; an empty Accel comes back when it was set. `threads` 0 = all.
+  // polled during the build; an empty Accel comes back when it was set.
   // Embree reads the meshes' own arrays: they must outlive the Accel (moving a Mesh is fine).
   // Instances that are singular or not finite, or whose mesh has no faces, are never hit.
   // Throws std::runtime_error with Embree's own words when the device or the build fails.
   static std::shared_ptr<const Accel> build(std::span<const Mesh> meshes,
                                             std::span<const Instance> instances,
-                                            const std::atomic<bool>& cancelled, int threads);
+                                            const std::atomic<bool>& cancelled);
   ~Accel();
 
   // Closest hit in (ray.t_min, ray.t_max) among what `mask` (see ray_mask) sees.

@@ -24,7 +24,7 @@ struct World {
   std::vector<Instance> instances;
   std::shared_ptr<const Accel> accel;
 
-  void build() { accel = Accel::build(meshes, instances, k_not_cancelled, 1); }
+  void build() { accel = Accel::build(meshes, instances, k_not_cancelled); }
   std::optional<SurfaceInteraction> trace(const Ray& ray, uint32_t mask = ~0u) const {
     const auto hit = accel->intersect(ray, mask);
     if (!hit) return {};
@@ -273,7 +273,7 @@ TEST(Accel, ACancelledBuildComesBackEmpty) {
   w.meshes.push_back(test::sphere(1.0f));
   w.instances = {place(0)};
   const std::atomic<bool> cancelled{true};
-  const auto accel = Accel::build(w.meshes, w.instances, cancelled, 1);
+  const auto accel = Accel::build(w.meshes, w.instances, cancelled);
   ASSERT_TRUE(accel);
   EXPECT_FALSE(accel->intersect({{0, 0, 0}, {0, 0, 1}}, ~0u));
   EXPECT_FALSE(accel->intersect_instance({{0, 0, 0}, {0, 0, 1}}, 0));

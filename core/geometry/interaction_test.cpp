@@ -42,7 +42,7 @@ struct Placed {
     meshes.push_back(test::sphere(1.0f, 32, 64));
     if (is_world_space) move_to_world_space(meshes[0], t);
     instances.push_back(test::place(0, t));
-    accel = Accel::build(meshes, instances, k_not_cancelled, 1);
+    accel = Accel::build(meshes, instances, k_not_cancelled);
   }
   std::optional<SurfaceInteraction> trace(const Ray& ray) const {
     const auto hit = accel->intersect(ray, ~0u);
@@ -195,7 +195,7 @@ TEST(OffsetRayOriginStatistics, CoversTheRoundingOfObjectSpace) {
     p += far;
   const Transform turn = rotation({1, 2, 2}, 0.8f);
   std::vector<Instance> instances{test::place(0, turn * translation(-far))};
-  const auto accel = Accel::build(meshes, instances, k_not_cancelled, 1);
+  const auto accel = Accel::build(meshes, instances, k_not_cancelled);
   LocalRandom random(9);
   int again = 0;
   for (int i = 0; i < 20000; ++i) {

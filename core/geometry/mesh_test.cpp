@@ -227,6 +227,46 @@ TEST(Tangents, AverageOverASmoothEdge) {
   EXPECT_NEAR(mesh.attributes[0].data[0], 1.0f, 1e-6f);
 }
 
+// A smooth fan whose third triangle is mapped mirrored; tangents by Blender 3.4's calc_tangents().
+TEST(Tangents, AgreeWithBlender) {
+  Polygons p;
+  p.positions = {0, 0, 0.5f, 1, 0.1f, 0, 0.2f, 1.1f, 0, -0.9f, 0.1f, 0.1f, 0, -1.2f, 0};
+  for (const uint32_t i : {1u, 2u, 3u, 4u})
+    p.add_polygon({0, i, i % 4 + 1});
+  p.smooth.assign(4, 1);
+  p.vertex_normals = {0.0053353f, -0.0059549f, 0.999968f,  0.4460809f,  0.013635f,
+                      0.8948888f, 0.0885836f,  0.3987833f, 0.9127568f,  -0.4012112f,
+                      0.0480058f, 0.9147266f,  0.0447839f, -0.3842295f, 0.9221508f};
+  const Vec2 uvs[] = {{0.5f, 0.5f}, {1.0f, 0.45f}, {0.6f, 0.9f}, {0.1f, 0.4f}, {0.45f, 0.05f}};
+  Attribute uv{"UV", AttributeDomain::corner, 2, {}};
+  for (size_t c = 0; c < 12; ++c) {
+    const Vec2 at = uvs[p.corner_vertices[c]];
+    uv.data.push_back(c / 3 == 2 ? 1.0f - at.x : at.x);
+    uv.data.push_back(at.y);
+  }
+  const Vec3 center{0.999986f, -0.000192f, -0.005337f}, first{0.874994f, 0.203546f, -0.439265f};
+  const Vec3 second{0.995823f, -0.055825f, -0.072255f};
+  const Vec3 expected[] = {center,
+                           first,
+                           second,
+                           center,
+                           second,
+                           {0.847587f, -0.359189f, 0.390614f},
+                           {-0.926471f, 0.376297f, 0.007184f},
+                           {-0.847833f, 0.358529f, -0.390687f},
+                           {-0.967296f, 0.214014f, 0.136149f},
+                           center,
+                           {0.998052f, 0.057337f, -0.024580f},
+                           first};
+  Mesh mesh = build_mesh(p.soup());
+  add_tangents(mesh, uv, "t");
+  for (size_t c = 0; c < 12; ++c) {
+    const float* t = &mesh.attributes[0].data[3 * c];
+    EXPECT_NEAR(distance({t[0], t[1], t[2]}, expected[c]), 0.0f, 3e-6f) << c;
+    EXPECT_EQ(mesh.attributes[1].data[c], c / 3 == 2 ? -1.0f : 1.0f) << c;
+  }
+}
+
 TEST(Tangents, SurviveUselessUVs) {
   Attribute uv;
   Mesh mesh = mapped_strip(false, uv);

@@ -6,8 +6,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <cstddef>
-#include <unordered_map>
 
 #include "geometry/mesh.h"
 #include "math/hash.h"
@@ -155,28 +155,46 @@ class TangentBuilder {
     triangle.tangent = area > 0.0f ? unit : -unit;
   }
 
-  // Pairs each edge with one that runs against it.
+  // An edge by its welded ends, lower first, and the corner that it leaves in its triangle.
+  struct Edge {
+    uint32_t low, high, corner;
+    auto operator<=>(const Edge&) const = default;
+  };
+
+  // Pairs each edge with one that runs against it; where more than two meet, first come first
+  // served in the order of the triangles.
   void connect() {
-    const auto key = [](uint32_t from, uint32_t to) { return uint64_t{from} << 32 | to; };
-    std::unordered_multimap<uint64_t, uint32_t> open;
+    std::vector<Edge> edges;
+    edges.reserve(corners_.size());
     for (uint32_t c = 0; c < corners_.size(); ++c) {
       if (triangles_[c / 3].is_degenerate) continue;
-      const auto far = static_cast<uint32_t>(side(c, 1));
-      const uint32_t from = corners_[c].welded, to = corners_[far].welded;
-      const auto match = open.find(key(to, from));
-      if (match == open.end()) {
-        open.emplace(key(from, to), c);
-        continue;
-      }
-      // The other edge leaves `to` at `other` and arrives at `from`.
-      const uint32_t other = match->second;
-      const auto other_far = static_cast<uint32_t>(side(other, 1));
-      open.erase(match);
-      corners_[c].next = other_far;
-      corners_[other_far].previous = c;
-      corners_[other].next = far;
-      corners_[far].previous = other;
+      const uint32_t from = corners_[c].welded, to = corners_[side(c, 1)].welded;
+      edges.push_back({std::min(from, to), std::max(from, to), c});
     }
+    std::sort(edges.begin(), edges.end());
+    for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+      std::vector<uint32_t>& rising = waiting_[0];
+      std::vector<uint32_t>& falling = waiting_[1];
+      rising.clear();
+      falling.clear();
+      for (; end < edges.size() && edges[end].low == edges[begin].low &&
+             edges[end].high == edges[begin].high;
+           ++end) {
+        const uint32_t corner = edges[end].corner;
+        (corners_[corner].welded == edges[end].low ? rising : falling).push_back(corner);
+      }
+      for (size_t i = 0; i < std::min(rising.size(), falling.size()); ++i)
+        join(rising[i], falling[i]);
+    }
+  }
+
+  // The edges that leave corners `a` and `b` are one edge seen from both sides.
+  void join(uint32_t a, uint32_t b) {
+    const auto a_end = static_cast<uint32_t>(side(a, 1)), b_end = static_cast<uint32_t>(side(b, 1));
+    corners_[a].next = b_end;
+    corners_[b_end].previous = a;
+    corners_[b].next = a_end;
+    corners_[a_end].previous = b;
   }
 
   // All corners around one vertex that edges join to `seed` without a change of orientation.
@@ -240,6 +258,7 @@ class TangentBuilder {
   std::vector<Corner> corners_;  // three a triangle
   std::vector<Triangle> triangles_;
   std::vector<uint32_t> group_;
+  std::array<std::vector<uint32_t>, 2> waiting_;
   std::vector<Vec3> tangents_;       // per Blender corner, sums
   std::vector<float> orientations_;  // per Blender corner, sums of signed angles
 };

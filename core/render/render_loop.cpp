@@ -4,7 +4,6 @@
 #include <immintrin.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -134,8 +133,7 @@ class RenderLoop {
 
 void render_passes(const Scene& scene, const RenderSettings& settings, Film& film,
                    RenderCounters& counters, const std::function<void(size_t tile)>& on_tile) {
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
-  arena.execute([&] { RenderLoop(scene, settings, film, counters, on_tile).run(); });
+  RenderLoop(scene, settings, film, counters, on_tile).run();
 }
 
 }  // namespace tenniel

@@ -23,7 +23,8 @@ struct RenderCounters {
 
 // Takes `settings.samples` samples of every pixel, pass after pass over all tiles: a rough picture
 // first, then longer visits that keep a tile's data in cache. Returns when done, cancelled, or at
-// the time limit. `on_tile` is called by the rendering threads after each visit.
+// the time limit; runs on the TBB arena it is called in. `on_tile` is called by the rendering
+// threads after each visit.
 void render_passes(const Scene& scene, const RenderSettings& settings, Film& film,
                    RenderCounters& counters, const std::function<void(size_t tile)>& on_tile);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/session.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -85,7 +87,9 @@ void RenderSession::State::compile_and_render() {
 void RenderSession::State::run() {
   std::string failure;
   try {
-    compile_and_render();
+    const int available = tbb::this_task_arena::max_concurrency();
+    tbb::task_arena arena(settings.threads > 0 ? std::min(settings.threads, available) : available);
+    arena.execute([&] { compile_and_render(); });
   } catch (const std::bad_alloc&) {
     failure = "Out of memory: the scene does not fit.";
   } catch (const std::exception& e) {

@@ -209,8 +209,7 @@ void SceneCompiler::compile_geometry() {
   }
   static const std::atomic<bool> never{false};
   scene.accel =
-      Accel::build(scene.meshes, scene.instances, control.cancelled ? *control.cancelled : never,
-                   description.settings.threads);
+      Accel::build(scene.meshes, scene.instances, control.cancelled ? *control.cancelled : never);
 }
 
 }  // namespace tenniel

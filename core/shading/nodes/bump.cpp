@@ -17,7 +17,7 @@ namespace {
 float bump_step(const SurfaceInteraction& surface) {
   const Vec3 p = surface.position;
   const float extent = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1.0f});
-  return std::max(surface.footprint, 1e-4f * extent);
+  return std::max(surface.footprint, 1e-5f * extent);
 }
 
 // Runs `program` at the point and at two points beside it; `read` takes the height from the

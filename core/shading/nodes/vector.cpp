@@ -4,6 +4,7 @@
 #include "shading/node_type.h"
 #include "shading/nodes/math.h"
 #include "shading/nodes/register.h"
+#include "shading/surface_tangent.h"
 
 namespace tenniel {
 
@@ -112,11 +113,6 @@ Transform euler_rotation(Vec3 angles) {
           {}};
 }
 
-Vec3 rotate_about_axis(Vec3 v, Vec3 axis, float angle) {
-  const float c = std::cos(angle);
-  return v * c + cross(axis, v) * std::sin(angle) + axis * (dot(axis, v) * (1.0f - c));
-}
-
 namespace {
 
 struct VectorMathNode {
@@ -182,7 +178,7 @@ struct VectorRotateNode {
     const Vec3 around = chosen_axis(context);
     if (around == Vec3{}) return context.set(result, v);
     const float turn = context.get(angle);
-    context.set(result, rotate_about_axis(v - pivot, around, invert ? -turn : turn) + pivot);
+    context.set(result, rotate_about(v - pivot, around, invert ? -turn : turn) + pivot);
   }
 };
 

@@ -56,7 +56,5 @@ Transform euler_rotation(Vec3 angles);
 constexpr Transform transposed(const Transform& m) {
   return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}, {}};
 }
-// `axis` unit length, `angle` in radians.
-Vec3 rotate_about_axis(Vec3 v, Vec3 axis, float angle);
 
 }  // namespace tenniel
