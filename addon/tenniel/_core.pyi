@@ -51,7 +51,8 @@ class NodeGraph:
     def add_node(self, type: str, name: str) -> int: ...
     def set_input(self, node: int, socket: str, value: Sequence[float]) -> None:
         """1, 3 or 4 floats."""
-    def set_setting(self, node: int, name: str, value: bool | int | float | str | Sequence[float] | FloatBuffer) -> None: ...
+    def set_setting(self, node: int, name: str,
+                    value: bool | int | float | str | Sequence[float] | FloatBuffer) -> None: ...
     def link(self, from_node: int, from_socket: str, to_node: int, to_socket: str) -> None: ...
     @property
     def node_count(self) -> int: ...
@@ -82,7 +83,7 @@ class InstanceDesc:
     mesh: int
     object_to_world: Sequence[float]
     worlds: int  # bit w: exists in world w (0 this side, 1..4 dreams)
-    ray_kinds: int  # bits: 0 camera, 1 diffuse, 2 glossy, 3 transmission, 4 volume scatter, 5 shadow
+    ray_kinds: int  # bits 0 camera, 1 diffuse, 2 glossy, 3 transmission, 4 volume scatter, 5 shadow
     dream: int  # looking glass of this dream; 0 = none
     entry: str  # REFLECTION, TRANSMISSION, BOTH
     reentry: str  # STAY, TOGGLE
@@ -238,10 +239,13 @@ def node_types() -> dict[str, "NodeTypeInfo"]:
 class NodeTypeInfo:
     inputs: list[str]  # socket identifiers
     outputs: list[str]
-    settings: dict[str, str]  # RNA name -> kind: boolean, integer, number, choice, text, table, image, attribute
+    # RNA name -> kind: boolean, integer, number, choice, text, table, image, attribute
+    settings: dict[str, str]
 
 class Progress:
-    stage: str  # "Loading images", "Building BVH", "Compiling shaders", "Rendering", "Done", "Cancelled", "Failed"
+    # For the artist: "Waiting", then e.g. "Compiling shaders", "Building BVH", "Rendering"; at the
+    # end "Done", "Cancelled" or "Failed"; "Closed" after close().
+    stage: str
     samples_done: int  # finished passes over the whole picture
     samples_total: int
     fraction: float  # [0, 1] of all pixel samples
@@ -270,9 +274,10 @@ class RenderSession:
     def take_diagnostics(self) -> list[Diagnostic]: ...
     def finished_tiles(self) -> list[tuple[int, int, int, int]]:
         """Tiles (x, y, width, height) finished since the last call, within the border, y up."""
-    def read_pass(self, name: str, target: FloatBuffer, x: int = 0, y: int = 0, width: int = 0, height: int = 0) -> None:
-        """Copies a rectangle of the bordered picture (0 sizes = to its edge), bottom row first, channels
-        interleaved, averaged over the samples taken so far."""
+    def read_pass(self, name: str, target: FloatBuffer, x: int = 0, y: int = 0,
+                  width: int = 0, height: int = 0) -> None:
+        """Copies a rectangle of the bordered picture (0 sizes = to its edge), bottom row first,
+        channels interleaved, averaged over the samples taken so far."""
     def close(self) -> None:
         """Cancels, joins and frees; harmless twice."""
 

@@ -177,9 +177,9 @@ class BufferTest(unittest.TestCase):
                 (mesh.vertices, 'co', core.FloatBuffer, 3),
                 (mesh.polygons, 'loop_start', core.IntBuffer, 1)):
             values, slow = kind(channels * count), [0.0] * channels * count
-            fast = self.best_seconds(lambda: items.foreach_get(name, values))
-            self.assertLess(3 * fast, self.best_seconds(lambda: items.foreach_get(name, slow)),
-                            name)
+            fast, one_by_one = [self.best_seconds(lambda: items.foreach_get(name, target))
+                                for target in (values, slow)]
+            self.assertLess(3 * fast, one_by_one, name)
             self.assertEqual([values[i] for i in range(-channels, 0)], slow[-channels:])
 
 
@@ -279,7 +279,8 @@ class SceneTest(unittest.TestCase):
 
     def test_indices_count_up(self):
         scene = core.SceneDescription()
-        for add, kind in ((scene.add_instance, core.InstanceDesc), (scene.add_light, core.LightDesc),
+        for add, kind in ((scene.add_instance, core.InstanceDesc),
+                          (scene.add_light, core.LightDesc),
                           (scene.add_material, core.MaterialDesc),
                           (scene.add_world, core.WorldDesc), (scene.add_image, core.ImageDesc)):
             self.assertEqual([add(kind()), add(kind())], [0, 1])
