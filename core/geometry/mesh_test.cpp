@@ -227,7 +227,8 @@ TEST(Tangents, AverageOverASmoothEdge) {
   EXPECT_NEAR(mesh.attributes[0].data[0], 1.0f, 1e-6f);
 }
 
-// A smooth fan whose third triangle is mapped mirrored; tangents by Blender 3.4's calc_tangents().
+// A smooth fan whose third triangle is mapped mirrored; tangents by Blender 3.4's calc_tangents(),
+// which weighs by an approximate arc cosine.
 TEST(Tangents, AgreeWithBlender) {
   Polygons p;
   p.positions = {0, 0, 0.5f, 1, 0.1f, 0, 0.2f, 1.1f, 0, -0.9f, 0.1f, 0.1f, 0, -1.2f, 0};
@@ -262,7 +263,7 @@ TEST(Tangents, AgreeWithBlender) {
   add_tangents(mesh, uv, "t");
   for (size_t c = 0; c < 12; ++c) {
     const float* t = &mesh.attributes[0].data[3 * c];
-    EXPECT_NEAR(distance({t[0], t[1], t[2]}, expected[c]), 0.0f, 3e-6f) << c;
+    EXPECT_NEAR(distance({t[0], t[1], t[2]}, expected[c]), 0.0f, 2e-5f) << c;
     EXPECT_EQ(mesh.attributes[1].data[c], c / 3 == 2 ? -1.0f : 1.0f) << c;
   }
 }
