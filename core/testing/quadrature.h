@@ -45,7 +45,7 @@ double integrate_adaptive(const Function& f, const Rectangle& r, double toleranc
   if (max_depth <= 0 || std::abs(split - gauss_3x3(f, r)) <= tolerance) return split;
   double sum = 0.0;
   for (const Rectangle& q : quarters)
-    sum += integrate_adaptive(f, q, 0.25 * tolerance, max_depth - 1);
+    sum += integrate_adaptive(f, q, 0.5 * tolerance, max_depth - 1);
   return sum;
 }
 
