@@ -70,11 +70,15 @@ class ExportContext:
         """Adds a row to the Render Report; `where`: object, material, node, file."""
         reports.add(severity, text, **where)
 
-    def report_exception(self, what, **where):
-        """For the handler of an exception that costs one object, not the render."""
+    def report_exception(self, what='', **where):
+        """For the handler of an exception that costs one data-block, not the render.
+
+        what: its name, where `where` does not say it.
+        """
         traceback.print_exc()
         error = traceback.format_exc(limit=0).strip().splitlines()[-1]
-        self.report('ERROR', f"{what} could not be exported and is left out ({error})", **where)
+        start = f"{what} could" if what else "Could"
+        self.report('ERROR', f"{start} not be exported and is left out ({error})", **where)
 
     def link_to(self, socket):
         """The link in force that ends at an input socket, or None."""

@@ -80,7 +80,7 @@ class _Walker:
         except (Cancelled, KeyboardInterrupt):
             raise
         except Exception:
-            self._context.report_exception(f"Object '{obj.name}'", object=obj.name)
+            self._context.report_exception(object=obj.name)
 
     # Lamps ---------------------------------------------------------------------------------------
 

@@ -68,7 +68,7 @@ def _add(context, material):
         else:
             tree = ExportedTree(_viewport_look(context, material), node_graph.Needs())
     except Exception:
-        context.report_exception(f"Material '{material.name}'", material=material.name)
+        context.report_exception(material=material.name)
         return _DEFAULT
     desc.graph = tree.graph
     return ExportedMaterial(context.description.add_material(desc),
