@@ -30,6 +30,8 @@ def wanted_links(source, modules):
 def main():
     source, target = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     modules = [pathlib.Path(m) for m in sys.argv[3:]]
+    if target.resolve() == source.resolve():
+        sys.exit(f"{target} is the source itself: nothing is assembled there")
     links = dict(wanted_links(source, modules))
     for old in target.rglob("*"):
         if old.is_symlink() and old.relative_to(target) not in links:
