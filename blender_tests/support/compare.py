@@ -141,19 +141,22 @@ def compare_means(tested, reference, relative=0.003, absolute=1e-5, max_noise=No
     return compare_blocks(tested, reference, size, relative, absolute, max_noise)
 
 
-def relative_variance(first, second):
+def relative_variance(first, second, drop=0.0):
     """Mean over pixels and RGB of (a - b)^2 / 2, relative to the squared mean: noise of one picture.
 
-    `first` and `second` are two renders that differ in the seed only.
+    `first` and `second` are two renders that differ in the seed only. `drop` is the share of the
+    largest squares left out, to see what a few fireflies weigh.
     """
-    total = squares = 0.0
+    squares, total = [], 0.0
     for channel in range(3):
         a, b = first.rgba[channel::4], second.rgba[channel::4]
-        squares += sum((x - y) ** 2 for x, y in zip(a, b)) / 2.0
+        squares += [(x - y) ** 2 / 2.0 for x, y in zip(a, b)]
         total += (sum(a) + sum(b)) / 2.0
-    count = 3 * first.width * first.height
+    count = len(squares)
     mean = total / count
-    return squares / count / (mean * mean) if mean else math.nan
+    if drop:
+        squares = sorted(squares)[:count - int(drop * count)]
+    return sum(squares) / len(squares) / (mean * mean) if mean else math.nan
 
 
 def relative_difference(first, second, size=16):
