@@ -28,6 +28,8 @@ TEST(Chi2Statistics, RejectsASlightlyWrongShape) {
   };
   Chi2Options options;
   options.samples = 1000000;
+  options.bins_x = 15;  // few bins see what is wrong everywhere by little
+  options.bins_y = 30;
   const Chi2Result result = chi2_test(SphereDomain{}, draw_cosine, pdf, options);
   EXPECT_NEAR(result.mass, 1.0, 1e-3);  // so that only the shape gives it away
   EXPECT_NE(result.failure(1e-6), "");

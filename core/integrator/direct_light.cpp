@@ -99,7 +99,7 @@ Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const
     if (!(max_component(through) > 0.0f)) return {};
     ++info.transparent_depth;
     rest.t_max -= hit->t;
-    rest.origin = offset_ray_origin(at.position, at.geometric_normal, rest.direction);
+    rest.origin = offset_ray_origin(at, rest.direction);
     rest.t_min = 0.0f;
     if (!(rest.t_max > 0.0f)) break;
   }
@@ -133,7 +133,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
   const SurfaceInteraction& at = worker.surface.surface;
   if (light.casts_shadow) {
     Ray ray;
-    ray.origin = offset_ray_origin(at.position, at.geometric_normal, sample->wi);
+    ray.origin = offset_ray_origin(at, sample->wi);
     ray.direction = sample->wi;
     // Short of the light, so that an emissive mesh does not shadow itself.
     ray.t_max = sample->distance * (1.0f - 1e-4f);

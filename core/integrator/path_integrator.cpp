@@ -190,7 +190,7 @@ bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight, Wor
   if (++state_.info.transparent_depth > settings_.transparent_max_bounces) return false;
   state_.info.world = world;
   state_.cone.radius = at.footprint;
-  state_.ray.origin = offset_ray_origin(at.position, at.geometric_normal, state_.ray.direction);
+  state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
   state_.ray.t_min = 0.0f;
   state_.ray.t_max -= at.t;
   return state_.ray.t_max > 0.0f;
@@ -226,7 +226,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   if (!sample->is_delta) state_.min_pdf = std::min(state_.min_pdf, sample->pdf);
   state_.origin = point;
   state_.cone = {at.footprint, std::max(state_.cone.spread, 0.5f * sample->roughness)};
-  state_.ray.origin = offset_ray_origin(at.position, at.geometric_normal, sample->wi);
+  state_.ray.origin = offset_ray_origin(at, sample->wi);
   state_.ray.direction = sample->wi;
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;

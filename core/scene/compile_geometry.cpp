@@ -84,19 +84,6 @@ void make_tangents(Mesh& mesh, const std::set<std::string>& uv_names) {
   }
 }
 
-// A mesh that only one instance uses joins the top level of the acceleration structure.
-void flatten(Mesh& mesh, const Transform& to_world, const Transform& to_object) {
-  for (Vec3& p : mesh.positions)
-    p = to_world.point(p);
-  const auto turn = [&](Vec3& n) { n = normalize_or(to_object.transposed_vector(n), n); };
-  for (Vec3& n : mesh.vertex_normals)
-    turn(n);
-  for (Vec3& n : mesh.corner_normals)
-    turn(n);
-  mesh.is_world_space = true;
-  mesh.flips_winding = to_world.determinant() < 0.0f;
-}
-
 LookingGlass looking_glass_from(const LookingGlassDesc& desc) {
   LookingGlass glass;
   glass.dream = static_cast<WorldIndex>(std::clamp(desc.dream, 0, k_world_count - 1));
@@ -194,9 +181,10 @@ void SceneCompiler::compile_geometry() {
                            " faces are broken (not finite, or without vertices) and left out.",
                        meshes[i].name, "", "", ""});
     meshes[i] = MeshDesc();
+    // A mesh that only one instance uses joins the top level of the acceleration structure.
     const Instance& user = scene.instances[only_user[i]];
     if (users[i] == 1 && user.object_to_world.determinant() != 0.0f)
-      flatten(mesh, user.object_to_world, user.world_to_object);
+      move_to_world_space(mesh, user.object_to_world);
   });
   if (is_cancelled()) return;
 

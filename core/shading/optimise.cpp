@@ -114,7 +114,8 @@ void append(std::string& key, const void* bytes, size_t size) {
 // Equal for nodes that give equal results.
 std::string node_key(const IrNode& node) {
   std::string key;
-  append(key, &node.type, sizeof node.type);
+  const auto type = reinterpret_cast<uintptr_t>(node.type);
+  append(key, &type, sizeof type);
   for (size_t i = 0; i < node.links.size(); ++i) {
     const IrLink link = node.links[i];
     append(key, &link, sizeof link);
