@@ -10,9 +10,9 @@ namespace tenniel {
 // little above the surface; then `wo` lies above the result too. All unit length; `wo` and
 // `geometric_normal` on one side. Unchanged where nothing is wrong.
 //
-// In the plane of both normals (z = the geometric one) a normal at angle phi from z reflects `wo`
-// to height wo.x sin(2 phi) + wo.z cos(2 phi) = r cos(2 phi - psi), which is `height` at 2 phi =
-// psi + acos(height / r): the only such angle on the way from `normal` to z.
+// In the plane of both normals (z = the geometric one) `wo` and its mirror direction have equally
+// long projections, so that the height wanted gives the latter, and the normal is what halves the
+// two.
 inline Vec3 ensure_valid_reflection(Vec3 geometric_normal, Vec3 wo, Vec3 normal) {
   const float cos_geometric = dot(geometric_normal, wo);
   const float height = std::min(0.9f * cos_geometric, 0.01f);
@@ -22,11 +22,10 @@ inline Vec3 ensure_valid_reflection(Vec3 geometric_normal, Vec3 wo, Vec3 normal)
   if (!(off_length > 1e-6f)) return geometric_normal;
   const Vec3 x_axis = off / off_length;
   const float wo_x = dot(wo, x_axis), wo_z = cos_geometric;
-  const float r2 = sqr(wo_x) + sqr(wo_z);
-  if (!(r2 > 1e-12f)) return geometric_normal;
-  const float cos_double = (wo_z * height - wo_x * safe_sqrt(r2 - sqr(height))) / r2;
-  return normalize(x_axis * safe_sqrt(0.5f * (1.0f - cos_double)) +
-                   geometric_normal * safe_sqrt(0.5f * (1.0f + cos_double)));
+  const float root = safe_sqrt(sqr(wo_x) + sqr(wo_z) - sqr(height));
+  // The second form is the same without cancellation.
+  const float x = wo_x > 0.0f ? root + wo_x : safe_divide(sqr(wo_z) - sqr(height), root - wo_x);
+  return normalize_or(x_axis * x + geometric_normal * (wo_z + height), geometric_normal);
 }
 
 // Softens the edge of light on diffuse lobes whose normal leaves the shading normal (Chiang, Li,
