@@ -5,7 +5,7 @@ import traceback
 
 import bpy
 
-from . import native, passes, session, viewport
+from . import native, passes, reports, session, viewport
 from .export import ExportError
 
 
@@ -21,15 +21,18 @@ class TennielRenderEngine(bpy.types.RenderEngine):
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)
         self._viewport = None
+        self._reported = None    # scene and frame whose problems are in the Render Report
 
     def __del__(self):
-        # Blender may drop an engine whose __init__ never ran.
-        view = getattr(self, '_viewport', None)
+        # Blender has taken its own part of the engine away by now, so that ordinary attribute
+        # access fails, and it may drop an engine whose __init__ never ran.
+        view = object.__getattribute__(self, '__dict__').get('_viewport')
         if view is not None:
             view.close()
-        parent = super()
-        if hasattr(parent, '__del__'):
-            parent.__del__()
+        for parent in type(self).__mro__[1:]:
+            if '__del__' in vars(parent):
+                parent.__del__(self)
+                break
 
     # Final render --------------------------------------------------------------------------------
 
@@ -41,10 +44,18 @@ class TennielRenderEngine(bpy.types.RenderEngine):
 
     def render(self, depsgraph):
         try:
+            self._begin_reports(depsgraph.scene)
             session.render_final(self, depsgraph)
         # Blender takes a render that raised for a good one and saves a black picture.
         except BaseException as error:
             self._fail(error)
+
+    def _begin_reports(self, scene):
+        # Blender calls render() for each view layer: their problems belong together.
+        current = (scene.name, scene.frame_current)
+        if self._reported != current:
+            self._reported = current
+            reports.begin(scene.name)
 
     # 3D view -------------------------------------------------------------------------------------
 

@@ -43,7 +43,6 @@ def render_final(engine, depsgraph):
     cancelled render is one too, since there it has to end in a bad exit status.
     """
     scene_name = depsgraph.scene.name
-    reports.begin(scene_name)
     try:
         with TerminationSignals() as signals:
             for view in _view_names(engine, depsgraph):

@@ -91,7 +91,8 @@ class ViewportRender:
         width, height = self._size
         pixels = native.core().FloatBuffer(4 * width * height)
         self._session.read_pass('Combined', pixels)
-        buffer = gpu.types.Buffer('FLOAT', 4 * width * height, pixels)
+        # A memoryview, because `gpu` asks for the shape in a way that only this one answers.
+        buffer = gpu.types.Buffer('FLOAT', 4 * width * height, memoryview(pixels))
         return gpu.types.GPUTexture((width, height), format='RGBA16F', data=buffer)
 
     def _draw_texture(self, scene, size):

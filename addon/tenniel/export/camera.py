@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cameras and 3D views -> CameraDesc."""
 
-from mathutils import Vector
+from mathutils import Matrix, Vector
 
 from . import compat
 from .context import ExportError, matrix_rows
@@ -59,10 +59,16 @@ class FromRegion:
             desc = _other_object(context, matrix)
             desc.clip_start, desc.clip_end = self._space.clip_start, self._space.clip_end
         if not view.is_perspective and not looks_through:
-            # Blender's orthographic views see as far behind their origin as before it.
-            desc.clip_start = -self._space.clip_end
+            _see_behind(desc, matrix)
         set_projection(desc, view.window_matrix, view.is_perspective)
         return desc
+
+
+def _see_behind(desc, matrix):
+    """Blender's orthographic views see as far behind their origin as before it."""
+    distance = desc.clip_end
+    desc.camera_to_world = matrix_rows(matrix @ Matrix.Translation((0.0, 0.0, distance)))
+    desc.clip_start, desc.clip_end = 0.0, 2.0 * distance
 
 
 def set_projection(desc, projection, is_perspective):
