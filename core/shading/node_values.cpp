@@ -108,8 +108,11 @@ void resolve_slots(IrNode& node, const GraphNode& from, const CompileContext& co
   for (const SettingInfo& setting : node.type->settings) {
     if (setting.kind == SettingKind::attribute) {
       auto& slot = member<AttributeSlot>(node.data.get(), setting);
+      const std::string base = slot.name;
       slot.name += setting.suffix;
-      if (context.attributes) slot.id = context.attributes->intern(slot.name);
+      if (!context.attributes) continue;
+      context.attributes->intern(base);  // what is derived must be there too
+      slot.id = context.attributes->intern(slot.name);
     } else if (setting.kind == SettingKind::image) {
       auto& slot = member<ImageSlot>(node.data.get(), setting);
       if (slot.image >= 0 && context.texture)

@@ -12,12 +12,20 @@
 namespace tenniel {
 namespace {
 
-// Distance of the shifted points: what one pixel covers, and never so little that the heights of
+// Distance of the shifted points: the width of a pixel, and never so little that the heights of
 // neighbours cannot be told apart.
 float bump_step(const SurfaceInteraction& surface) {
   const Vec3 p = surface.position;
   const float extent = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1.0f});
-  return std::max(surface.footprint, 1e-5f * extent);
+  return std::max(2.0f * surface.footprint, 1e-5f * extent);
+}
+
+// Where a height curves, a finite difference shows its directions: these are Blender's.
+Frame bump_frame(Vec3 normal) {
+  const Vec3 diagonal = std::abs(normal.x - normal.y) + std::abs(normal.x - normal.z) > 0.0f
+                            ? Vec3{1.0f, 1.0f, 1.0f}
+                            : Vec3{-1.0f, 1.0f, 1.0f};
+  return Frame::from_normal_tangent(normal, cross(diagonal, normal));
 }
 
 // Runs `program` at the point and at two points beside it; `read` takes the height from the
@@ -25,7 +33,7 @@ float bump_step(const SurfaceInteraction& surface) {
 template <class Read>
 BumpSample sample_heights(ShadingContext& context, const Program& program, Read read) {
   const SurfaceInteraction here = context.surface;
-  const Frame frame = Frame::from_normal(here.geometric_normal);
+  const Frame frame = bump_frame(here.geometric_normal);
   const float step = bump_step(here);
   BumpSample sample;
   sample.step_x = frame.x * step;
@@ -100,7 +108,7 @@ void NormalMapNode::eval(ShadingContext& context) const {
   Vec3 bent = normalize_or(surface.is_back_facing ? -front : front, base);
   const float amount = std::max(context.get(strength), 0.0f);
   if (amount != 1.0f) bent = normalize_or(base + (bent - base) * amount, base);
-  context.set(result, raised(surface, bent));
+  context.set(result, bent);
 }
 
 void DisplacementNode::eval(ShadingContext& context) const {

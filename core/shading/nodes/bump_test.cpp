@@ -236,6 +236,23 @@ TEST(NormalMap, StrengthMovesTowardsTheMap) {
   expect_near(map.at(0.3f, 0.3f), normalize(k_up + 0.5f * (n - k_up)), 1e-5f);
 }
 
+// Blender leaves that to the shaders.
+TEST(NormalMap, MayMirrorBelowTheSurface) {
+  BumpedNormal map(
+      "m: ShaderNodeNormalMap @space=WORLD Color=1,0.5,0.6,1\nd: Direction Normal<m.Normal");
+  expect_near(map.at(0.3f, 0.3f), normalize(Vec3{1.0f, 0.0f, 0.2f}), 1e-5f);
+}
+
+TEST(NormalMap, AsksForTheUvMapItsTangentsDeriveFrom) {
+  const TestMaterial m(R"(
+    n: ShaderNodeNormalMap @uv_map=Bricks
+    g: ShaderNodeBsdfGlossy Normal<n.Normal
+    out: ShaderNodeOutputMaterial Surface<g.BSDF)",
+                       true, &test_registry());
+  for (const char* name : {"Bricks", "Bricks.tangent", "Bricks.tangent.sign"})
+    EXPECT_NE(m.attributes.find(name), AttributeIds::k_none) << name;
+}
+
 TEST(NormalMap, WithoutTangentsIsTheShadingNormal) {
   BumpedNormal map(
       "m: ShaderNodeNormalMap @uv_map=Missing Color=1,0,0\nd: Direction Normal<m.Normal");
