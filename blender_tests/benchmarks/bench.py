@@ -45,7 +45,8 @@ def build_scene(name):
         subprocess.run([blender_process.blender(), "-b", "--factory-startup",
                         "--python-exit-code", "3", "--python",
                         str(REPOSITORY / "scenes" / "build.py"), "--", name, str(path)],
-                       check=True, stdout=subprocess.DEVNULL, env=blender_process.blender_environment())
+                       check=True, stdout=subprocess.DEVNULL,
+                       env=blender_process.blender_environment())
     return path
 
 

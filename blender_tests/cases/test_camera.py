@@ -80,7 +80,8 @@ class ProjectionTest(CameraCase):
         for scale in ((1, 1, 1), (3, 3, 3), (0.5, 2.0, 1.0)):
             with self.subTest(scale):
                 self.setUp()
-                parent = scene_factory.link(self.scene, None, "Parent", (1, 0, 0), (0, 0, 20), scale)
+                parent = scene_factory.link(self.scene, None, "Parent", (1, 0, 0),
+                                            (0, 0, 20), scale)
                 obj = scene_factory.camera(self.scene, (1, -2, 5), (0.5, 0.5, -6), lens=35.0)
                 obj.parent = parent
                 self.check(str(scale))
@@ -116,7 +117,8 @@ class PanoramaTest(CameraCase):
 class ClipTest(CameraCase):
 
     def test_clip(self):
-        for kind, (near, far) in itertools.product(("PERSP", "ORTHO"), ((0.1, 100.0), (10.8, 11.4))):
+        for kind, (near, far) in itertools.product(("PERSP", "ORTHO"),
+                                                   ((0.1, 100.0), (10.8, 11.4))):
             with self.subTest(f"{kind} {near} {far}"):
                 self.setUp()
                 obj = scene_factory.camera(self.scene, (0, 0, 5), (0, 0, -6), type=kind,

@@ -131,7 +131,8 @@ class TransmissionTest(ClosureCase):
         scene_factory.plane(self.scene, 4.0, scene_factory.diffuse())
         for i in range(3):
             scene_factory.plane(self.scene, 1.5, closure(
-                "ShaderNodeBsdfTransparent", Color=(0.9, 0.5, 0.2))(), location=(0.3 * i, 0, 0.5 + 0.2 * i))
+                "ShaderNodeBsdfTransparent", Color=(0.9, 0.5, 0.2))(),
+                                location=(0.3 * i, 0, 0.5 + 0.2 * i))
         scene_factory.lamp(self.scene, "AREA", 60.0, (0, 0, 2.5), size=0.5)
         scene_factory.top_camera(self.scene, 4.0)
         self.assert_agrees(samples=256, block=8)

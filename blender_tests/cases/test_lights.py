@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of lamp, emissive meshes and the world: what a white floor receives, and direct sight."""
+"""Every kind of lamp, emissive meshes, the world: light on a white floor, and direct sight."""
 import math
 
 from support import scene_factory
@@ -279,7 +279,8 @@ class SightAndManyTest(LightCase):
                     obj.visible_camera = visible
                     scene_factory.camera(self.scene, (0, 3.0, -0.2), (0, 0, 1.0), lens=35.0)
                     if kind == "SUN":
-                        scene_factory.camera(self.scene, (0, -1.0, 1.0), (0.0, -1.5, 2.0), lens=20.0)
+                        scene_factory.camera(self.scene, (0, -1.0, 1.0), (0.0, -1.5, 2.0),
+                                             lens=20.0)
                     self.check(f"{name} {visible}", relative=0.01, max_noise=0.02)
 
     def test_new_lamp_default(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a shell or a render farm sees: exit status, files written, signals, a module that misfits."""
+"""What a shell or a farm sees: exit status, files written, signals, a module that misfits."""
 import os
 import pathlib
 import shutil

@@ -215,7 +215,8 @@ class ValueTest(BadInputCase):
                                ("ShaderNodeBsdfDiffuse", "Roughness"),
                                ("ShaderNodeBsdfPrincipled", "Roughness"),
                                ("ShaderNodeBsdfPrincipled", "IOR"),
-                               ("ShaderNodeBsdfGlass", "IOR"), ("ShaderNodeBsdfGlossy", "Roughness")):
+                               ("ShaderNodeBsdfGlass", "IOR"),
+                               ("ShaderNodeBsdfGlossy", "Roughness")):
                 with self.subTest(f"{node} {name} {value}"):
                     self.setUp()
                     material = scene_factory.node_material("Poisoned", lambda n: n.add(
@@ -321,12 +322,14 @@ class NodeTest(BadInputCase):
         self.render_bad()
 
 
+def png_chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
 def lying_png(width, height):
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(b"\0" * 16))
-            + chunk(b"IEND", b""))
+    return (b"\x89PNG\r\n\x1a\n" + png_chunk(b"IHDR", header)
+            + png_chunk(b"IDAT", zlib.compress(b"\0" * 16)) + png_chunk(b"IEND", b""))
 
 
 def lying_bmp(width, height):
@@ -412,12 +415,9 @@ class ImageTest(BadInputCase):
         """16384 pixels wide is large and right, not an error."""
         line = b"\0" + bytes([188, 188, 188]) * 16384
 
-        def chunk(kind, data):
-            return (struct.pack(">I", len(data)) + kind + data
-                    + struct.pack(">I", zlib.crc32(kind + data)))
         data = (b"\x89PNG\r\n\x1a\n"
-                + chunk(b"IHDR", struct.pack(">IIBBBBB", 16384, 16, 8, 2, 0, 0, 0))
-                + chunk(b"IDAT", zlib.compress(line * 16)) + chunk(b"IEND", b""))
+                + png_chunk(b"IHDR", struct.pack(">IIBBBBB", 16384, 16, 8, 2, 0, 0, 0))
+                + png_chunk(b"IDAT", zlib.compress(line * 16)) + png_chunk(b"IEND", b""))
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "wide.png")
             with open(path, "wb") as stream:

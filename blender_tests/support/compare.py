@@ -68,20 +68,33 @@ def _mean_and_variance(values):
     return mean, sum((v - mean) ** 2 for v in values) / (len(values) - 1)
 
 
-def _pooled_variances(positions, raw, size):
-    """Variances of the block means, steadied by the other blocks.
+def _pixel_variance(pictures, x0, y0, size, channel):
+    """Variance of a block mean from the scatter of its pixels, taken as independent."""
+    first = pictures[0]
+    width, height = min(size, first.width - x0), min(size, first.height - y0)
+    total = 0.0
+    for y in range(y0, y0 + height):
+        start = 4 * (y * first.width + x0) + channel
+        rows = [p.rgba[start:start + 4 * width:4] for p in pictures]
+        total += sum(_mean_and_variance(values)[1] for values in zip(*rows))
+    return total / (width * height) ** 2
 
-    The scatter of K values is the largest of: the block's own, the mean over the block and its
-    neighbours, and the picture's mean ratio of variance to brightness times the block's brightness.
+
+def _pooled_variances(positions, raw, size, pixel_based):
+    """Variances of the block means, steadied by the pixels and by the other blocks.
+
+    The scatter of K values is the largest of: the block's own, that of its pixels, the mean over
+    the block and its neighbours, and the picture's mean ratio of variance to brightness times the
+    block's brightness.
     """
     total = sum(abs(mean) for mean, _ in raw)
     ratio = sum(variance for _, variance in raw) / total if total else 0.0
     own = {position: variance for position, (_, variance) in zip(positions, raw)}
     result = []
-    for (x, y), (mean, variance) in zip(positions, raw):
+    for (x, y), (mean, variance), of_pixels in zip(positions, raw, pixel_based):
         around = [own[x + dx, y + dy] for dx in (-size, 0, size) for dy in (-size, 0, size)
                   if (x + dx, y + dy) in own]
-        result.append(max(variance, sum(around) / len(around), ratio * abs(mean)))
+        result.append(max(variance, of_pixels, sum(around) / len(around), ratio * abs(mean)))
     return result
 
 
@@ -93,7 +106,8 @@ def _statistics(pictures, size):
     for channel in range(4):
         raw = [_mean_and_variance([b[i][2][channel] for b in blocks])
                for i in range(len(positions))]
-        variances = _pooled_variances(positions, raw, size)
+        pixel_based = [_pixel_variance(pictures, x, y, size, channel) for x, y in positions]
+        variances = _pooled_variances(positions, raw, size, pixel_based)
         for (x, y), (mean, _), variance in zip(positions, raw, variances):
             result[x, y, channel] = (mean, variance / len(pictures))
     return result
@@ -102,7 +116,7 @@ def _statistics(pictures, size):
 def compare_blocks(tested, reference, size, relative=0.005, absolute=1e-5, max_noise=None):
     """Compare block means of two lists of equally sized pictures (one picture a seed).
 
-    A block fails when |difference| > relative * |reference| + absolute + z * standard error, z being
+    A block fails when |difference| > relative * |reference| + absolute + z * standard error; z is
     at least 3 and raised by Sidak's rule for the number of blocks. When the standard error averaged
     over the picture exceeds `max_noise` (default: `relative`) of the mean the result is false as
     well: such a test would prove nothing.
@@ -142,7 +156,7 @@ def compare_means(tested, reference, relative=0.003, absolute=1e-5, max_noise=No
 
 
 def relative_variance(first, second, drop=0.0):
-    """Mean over pixels and RGB of (a - b)^2 / 2, relative to the squared mean: noise of one picture.
+    """Noise of one picture: mean over pixels and RGB of (a - b)^2 / 2 by the squared mean.
 
     `first` and `second` are two renders that differ in the seed only. `drop` is the share of the
     largest squares left out, to see what a few fireflies weigh.

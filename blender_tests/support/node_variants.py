@@ -33,8 +33,13 @@ class Variant:
         return " ".join(str(w) for w in words if w)
 
     def add_to(self, grid, uv=(0.0, 0.0), normal=(0.0, 0.0, 1.0)):
-        """Add tiles with socket values, and tiles whose inputs are linked to attributes."""
-        for inputs in self.input_sets:
+        """Add tiles with socket values, and tiles whose inputs are linked to attributes.
+
+        A texture ignores the value of its Vector socket and takes coordinates that vary over the
+        tile, so it gets linked tiles only.
+        """
+        needs_link = self.node_type.startswith("ShaderNodeTex") and any(self.input_sets)
+        for inputs in () if needs_link else self.input_sets:
             material = self._material(inputs, linked=False)
             grid.add(f"{self.label} {inputs or ''}", material, uv=uv, normal=normal)
         if not any(self.input_sets):

@@ -21,7 +21,7 @@ class Picture:
 
     @classmethod
     def from_exr(cls, path, layer=None):
-        """Load `path`; of a multilayer file the Combined pass of view layer `layer` (or the first)."""
+        """Load `path`; of a multilayer file the Combined pass of `layer` (default: the first)."""
         width, height, channels, _ = exr.read_channels(path)
         prefix = ""
         if "R" not in channels:
