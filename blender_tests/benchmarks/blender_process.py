@@ -42,7 +42,7 @@ def blender():
 
 
 def render(blend, engine, samples, seed, size, out, timeout=600.0):
-    """Render `blend` at size (width, height or 0) to the EXR file `out`; a failure is in the result.
+    """Render `blend` at size (width, height or 0) to the EXR file `out`; never raises.
 
     Scripts inside the file do not run (-Y).
     """

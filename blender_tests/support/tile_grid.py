@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Evaluate many shader graphs in one render: each is the emission of one small tile.
 
-A graph's inputs are constant over its tile (socket values, or attributes of the face domain that
-the engine cannot fold away), so that the value does not depend on where in the pixel an engine puts its
+A graph's inputs are constant over its tile: socket values, or attributes of the face domain that
+the engine cannot fold away. So the value does not depend on where in the pixel an engine puts its
 sample, and a comparison at 1e-4 is sound at one sample a pixel. Values that must vary over the tile
 (`FieldGrid`) are averaged over the pixel instead and get a tolerance from their own gradient.
 """
