@@ -16,7 +16,6 @@ class TennielRenderEngine(bpy.types.RenderEngine):
     bl_use_eevee_viewport = True
     bl_use_postprocess = True
     bl_use_shading_nodes_custom = False
-    bl_use_save_buffers = True
 
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)

@@ -167,12 +167,7 @@ class FinalRender:
         progress = session.progress
         self._status_time = 0.0
         self._show_progress(progress)
-        for item in session.take_diagnostics():
-            reports.add(item.severity, item.text, object=item.object, material=item.material,
-                        node=item.node, file=item.file)
-        if progress.dropped_samples:
-            reports.add('WARNING', f"{progress.dropped_samples} samples were not finite numbers "
-                        "and were left out")
+        report_problems(session)
         if session.error:
             raise RenderError(session.error)
         if progress.generation:
@@ -207,6 +202,16 @@ class FinalRender:
         if text != self._status_text and now - self._status_time >= pause:
             self._status_text, self._status_time = text, now
             self._engine.update_stats("", text)
+
+
+def report_problems(session):
+    """Moves what a finished RenderSession has to say to the Render Report."""
+    for item in session.take_diagnostics():
+        reports.add(item.severity, item.text, object=item.object, material=item.material,
+                    node=item.node, file=item.file)
+    dropped = session.progress.dropped_samples
+    if dropped:
+        reports.add('WARNING', f"{dropped} samples were not finite numbers and were left out")
 
 
 def status_text(progress):

@@ -6,7 +6,7 @@ import time
 from . import native, reports
 from .export import ExportError, View, export_scene
 from .export.camera import FromRegion
-from .session import status_text
+from .session import report_problems, status_text
 
 # Beyond it a half float is infinite, which draws as black.
 _LARGEST_HALF = 65504.0
@@ -26,6 +26,7 @@ class ViewportRender:
         self._texture = None
         self._generation = 0
         self._stale = True
+        self._is_reported = False
         self._started = 0.0
 
     def update(self, context, depsgraph):
@@ -55,6 +56,9 @@ class ViewportRender:
         self._engine.update_stats("", self._session.error or status_text(progress))
         if not self._session.wait(0.0):
             self._engine.tag_redraw()
+        elif not self._is_reported:
+            self._is_reported = True
+            report_problems(self._session)
 
     def close(self):
         """Stops rendering and frees the scene."""
@@ -71,7 +75,7 @@ class ViewportRender:
         self._camera_state = _camera_state(context)
         self._size = (context.region.width, context.region.height)
         self._generation = 0
-        self._stale = False
+        self._stale = self._is_reported = False
         reports.begin(depsgraph.scene.name)
         core = native.core()
         try:

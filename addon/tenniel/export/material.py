@@ -29,8 +29,9 @@ _DEFAULT = ExportedMaterial(DEFAULT_MATERIAL, _NOTHING, _NOTHING)
 def export_tree(context, tree, output_type, owner):
     """ExportedTree of a material's, World's or lamp's tree as its output node for Cycles sees it.
 
-    output_type: bl_idname of the output. owner: name for reports. Without an output node the graph is that of an output that nothing
-    is linked to: black, and not the plain colour of a tree that is off.
+    output_type: bl_idname of the output. owner: name for reports. Without an output node the graph
+    is that of an output that nothing is linked to: black, and not the plain colour of a tree that
+    is off.
     """
     output = tree.get_output_node('CYCLES') or tree.get_output_node('ALL')
     return ExportedTree(*node_graph.flatten(context, tree, output, output_type, owner))
