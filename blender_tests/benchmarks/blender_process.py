@@ -91,5 +91,6 @@ def _run(command, log, timeout):
 def _last_words(lines):
     """The line that says most about a failure."""
     useful = [line for line in lines if line.strip() and not line.startswith("Fra:")]
-    errors = [line for line in useful if "Error" in line or "error" in line]
+    errors = [line for line in useful
+              if "error" in line.lower() and "script failed" not in line]
     return (errors or useful or ["no output"])[-1].strip()[:200]

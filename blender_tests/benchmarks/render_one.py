@@ -15,6 +15,7 @@ import sys
 import time
 
 import bpy
+from mathutils import Vector
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
@@ -52,6 +53,24 @@ def set_output(scene, width, height, path):
     settings.filepath = path
 
 
+def ensure_camera(scene):
+    """A file without a camera gets one (in memory) that sees all of its meshes."""
+    if scene.camera is not None:
+        return
+    corners = [obj.matrix_world @ Vector(corner) for obj in scene.objects
+               if obj.type in {"MESH", "CURVE", "FONT", "META", "SURFACE"} and not obj.hide_render
+               for corner in obj.bound_box] or [Vector((-1, -1, -1)), Vector((1, 1, 1))]
+    low, high = (Vector(map(f, zip(*corners))) for f in (min, max))
+    centre, radius = (low + high) / 2.0, max((high - low).length / 2.0, 1e-3)
+    data = bpy.data.cameras.new("Bench")
+    data.clip_start, data.clip_end = radius / 100.0, radius * 100.0
+    obj = bpy.data.objects.new("Bench", data)
+    obj.location = centre + Vector((1.5, -2.2, 1.2)).normalized() * radius * 3.2
+    obj.rotation_euler = (centre - obj.location).to_track_quat("-Z", "Y").to_euler()
+    scene.collection.objects.link(obj)
+    scene.camera = obj
+
+
 def timed_render(scene):
     start = time.perf_counter()
     bpy.ops.render.render(write_still=True, scene=scene.name)
@@ -69,6 +88,7 @@ def engine_reports():
 def main():
     options = parse()
     scene = bpy.context.scene
+    ensure_camera(scene)
     kept = {name: getattr(scene.cycles, name) for name in FROM_THE_FILE}
     prepare(scene, options.engine, 1, options.seed, **kept)
     set_output(scene, options.width, options.height, options.out)
