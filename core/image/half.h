@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #if defined(__F16C__)
@@ -53,5 +54,12 @@ inline uint16_t float_to_half(float x) {
 }
 
 #endif
+
+// Rounds toward zero, as Cycles stores the images that it converts: their texels agree to the bit.
+inline uint16_t float_to_half_toward_zero(float x) {
+  const uint16_t nearest = float_to_half(x);
+  const bool is_too_far = std::abs(half_to_float(nearest)) > std::abs(x);
+  return is_too_far ? static_cast<uint16_t>(nearest - 1) : nearest;
+}
 
 }  // namespace tenniel

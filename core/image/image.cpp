@@ -60,29 +60,30 @@ void integers_to_half(Image& image) {
   with_format(image, [&](auto format, const auto& pixels) {
     halves.resize(pixels.size());
     std::transform(pixels.begin(), pixels.end(), halves.begin(),
-                   [&](auto v) { return float_to_half(format.load(v)); });
+                   [&](auto v) { return HalfFormat::store(format.load(v)); });
   });
   image.pixels = std::move(halves);
   image.is_half = true;
 }
 
-// Curves act on straight colour, so associated pixels are divided by alpha around them.
-void convert_colors(Image& image, const ColorSpace& space, bool is_associated) {
-  integers_to_half(image);
+// Conversion acts on straight colour: alpha is divided out before where the source is associated,
+// and multiplied in after where the image shall be, all in one rounding.
+void convert_colors(Image& image, const ColorSpace& space, bool source_is_associated) {
   with_format(image, [&](auto format, auto& pixels) {
     const auto stride = static_cast<size_t>(image.channels);
-    const bool divide = is_associated && stride == 4 && space.curve != TransferCurve::linear;
+    const bool has_alpha = stride == 4 && image.is_associated;
     for (size_t i = 0; i < pixels.size(); i += stride) {
       float rgb[3];
       for (size_t c = 0; c < 3; ++c)
         rgb[c] = format.load(pixels[i + (stride == 1 ? 0 : c)]);
-      const float alpha = divide ? format.load(pixels[i + 3]) : 1.0f;
-      const float scale = alpha > 0.0f ? alpha : 1.0f;
-      for (float& c : rgb)
-        c /= scale;
+      const float alpha = has_alpha ? format.load(pixels[i + 3]) : 1.0f;
+      if (source_is_associated && alpha > 0.0f)
+        for (float& c : rgb)
+          c /= alpha;
       to_scene_linear(space, rgb);
+      const float coverage = source_is_associated && alpha <= 0.0f ? 1.0f : alpha;
       for (size_t c = 0; c < std::min<size_t>(stride, 3); ++c)
-        pixels[i + c] = format.store(rgb[c] * scale);
+        pixels[i + c] = format.store(rgb[c] * coverage);
     }
   });
 }
@@ -148,16 +149,18 @@ Image prepare_image(Image raw, bool file_is_associated, const ImageLoadOptions& 
   if (image.channels == 4 && options.alpha == AlphaMode::none) drop_alpha(image);
   clear_non_finite(image);
 
-  bool is_associated = file_is_associated || options.alpha == AlphaMode::premultiplied;
   if (image.channels == 4 && (is_data || options.alpha == AlphaMode::channel_packed))
     image.is_associated = false;
-  const bool must_associate = image.channels == 4 && image.is_associated && !is_associated;
-
-  if (!is_data && space.curve == TransferCurve::srgb)
-    image.is_srgb_encoded = true;
-  else if (!is_data && !space.is_scene_linear())
-    convert_colors(image, space, is_associated);
-  if (must_associate) associate_alpha(image);
+  image.is_srgb_encoded = !is_data && space.curve == TransferCurve::srgb;
+  const bool must_convert = !is_data && !image.is_srgb_encoded && !space.is_scene_linear();
+  // Whether to multiply by alpha is asked of the file and not of the image's alpha mode, as in
+  // Cycles.
+  if (must_convert) {
+    integers_to_half(image);
+    convert_colors(image, space, file_is_associated);
+  } else if (image.channels == 4 && image.is_associated && !file_is_associated) {
+    associate_alpha(image);
+  }
 
   while (options.size_limit > 0 && std::max(image.width, image.height) > options.size_limit)
     image = half_size(image);

@@ -9,6 +9,7 @@
 
 namespace tenniel {
 
+// `premultiplied` is treated as `straight`: what the file says of its alpha decides.
 enum class AlphaMode : uint8_t { straight, premultiplied, channel_packed, none };
 
 // Pixels as they stay in memory: bottom row first, `channels` interleaved. Pixels of an sRGB file

@@ -202,6 +202,8 @@ ImageLoadResult image_from_pixels(const float* rgba, int width, int height, bool
     image.height = height;
     image.channels = 4;
     ImageLoadOptions used = options;
+    // Cycles multiplies bytes by alpha whatever their alpha mode says.
+    const bool is_associated = is_float && alpha_associated;
     if (is_float) {
       if (count * sizeof(float) > k_max_image_bytes) return {nullptr, "The image is too large."};
       image.pixels.emplace<std::vector<float>>(rgba, rgba + count);
@@ -211,7 +213,7 @@ ImageLoadResult image_from_pixels(const float* rgba, int width, int height, bool
       auto& bytes = image.pixels.emplace<std::vector<uint8_t>>(count);
       std::transform(rgba, rgba + count, bytes.begin(), ByteFormat::store);
     }
-    return {std::make_shared<const Image>(prepare_image(std::move(image), alpha_associated, used)),
+    return {std::make_shared<const Image>(prepare_image(std::move(image), is_associated, used)),
             {}};
   } catch (const std::bad_alloc&) {
     return {nullptr, "The image does not fit into memory."};

@@ -24,7 +24,8 @@ ImageLoadResult load_image(const std::string& path, const ImageLoadOptions& opti
 
 // Pixels that Blender handed over: `rgba` float32 (height, width, 4), bottom row first. Float
 // images are scene-linear already; byte images come as encoded values in [0, 1] and are kept as
-// bytes. `alpha_associated`: colour is multiplied by alpha.
+// bytes. `alpha_associated`: colour of a float image is multiplied by alpha; bytes never count as
+// such, as in Cycles.
 ImageLoadResult image_from_pixels(const float* rgba, int width, int height, bool is_float,
                                   bool alpha_associated, const ImageLoadOptions& options);
 

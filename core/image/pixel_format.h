@@ -31,7 +31,9 @@ struct ShortFormat {
 struct HalfFormat {
   using Stored = uint16_t;
   static float load(Stored v) { return half_to_float(v); }
-  static Stored store(float x) { return float_to_half(std::clamp(x, -65504.0f, 65504.0f)); }
+  static Stored store(float x) {
+    return float_to_half_toward_zero(std::clamp(x, -65504.0f, 65504.0f));
+  }
 };
 
 struct FloatFormat {

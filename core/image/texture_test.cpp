@@ -186,6 +186,8 @@ TEST(Half, RoundTripsEveryFiniteValue) {
   EXPECT_EQ(half_to_float(0x3c00), 1.0f);
   EXPECT_EQ(half_to_float(0x0001), 0x1p-24f);
   EXPECT_EQ(half_to_float(0x7bff), 65504.0f);
+  EXPECT_EQ(float_to_half_toward_zero(1.0f - 0x1p-13f), 0x3bff);
+  EXPECT_EQ(float_to_half_toward_zero(-1.0f + 0x1p-13f), 0xbbff);
   EXPECT_EQ(float_to_half(1.0f + 0x1p-11f), 0x3c00);  // a tie goes to the even neighbour
 }
 

@@ -61,19 +61,28 @@ struct AttributeNode {
   AttributeType type = AttributeType::geometry;
   AttributeSlot attribute;
 
+  // What is missing is black; on the mesh it is opaque, on the object it is not.
   Rgba value(const ShadingContext& context) const {
     if (const auto mirror = mirror_attribute(attribute.name, context.path.world))
       return {*mirror, *mirror, *mirror, 1.0f};
-    const auto found = type == AttributeType::geometry ? mesh_attribute(context, attribute.id)
-                                                       : object_attribute(context, attribute.id);
-    return found.value_or(Rgba{0.0f, 0.0f, 0.0f, 1.0f});
+    if (type == AttributeType::geometry)
+      return mesh_attribute(context, attribute.id).value_or(Rgba{0.0f, 0.0f, 0.0f, 1.0f});
+    return object_attribute(context, attribute.id).value_or(Rgba{});
+  }
+
+  // The mean, but of two numbers (a UV) the first.
+  float factor_of(const ShadingContext& context, const Rgba& v) const {
+    const Mesh* mesh = context.surface.mesh;
+    const Attribute* data =
+        mesh && type == AttributeType::geometry ? mesh->attribute(attribute.id) : nullptr;
+    return data && data->channels == 2 ? v[0] : (v[0] + v[1] + v[2]) * (1.0f / 3.0f);
   }
 
   void eval(ShadingContext& context) const {
     const Rgba v = value(context);
     context.set(color, {v[0], v[1], v[2]});
     context.set(vector, {v[0], v[1], v[2]});
-    context.set(factor, (v[0] + v[1] + v[2]) * (1.0f / 3.0f));
+    if (factor.used()) context.set(factor, factor_of(context, v));
     context.set(alpha, v[3]);
   }
 };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shading/nodes/blackbody.h"
 #include "shading/nodes/ramp.h"
 
 namespace tenniel {
@@ -91,6 +92,23 @@ TEST(ColorAdjustments, KnownValues) {
   expect_near(gamma_color({0.25f, -1.0f, 4.0f}, 0.5f), {0.5f, -1.0f, 2.0f});
   expect_near(gamma_color(k_a, 0.0f), Spectrum(1.0f));
   expect_near(invert_color(k_a, 1.0f), {0.8f, 0.4f, 0.0f});
+}
+
+// Cycles 3.4.1 has tables fitted to other data, hence 3 %.
+TEST(Blackbody, IsNearCycles) {
+  expect_near(blackbody_color(1500.0f), {3.26431f, 0.43405f, 0.0f}, 0.1f);
+  expect_near(blackbody_color(3000.0f), {1.77084f, 0.84428f, 0.27222f}, 0.02f);
+  expect_near(blackbody_color(6500.0f), {1.04255f, 0.98405f, 1.03527f}, 0.005f);
+  expect_near(blackbody_color(13000.0f), {0.82629f, 0.99451f, 1.56631f}, 0.002f);
+  expect_near(blackbody_color(-5.0f), blackbody_color(800.0f), 0.0f);
+  EXPECT_NEAR(luminance(blackbody_color(5000.0f)), 1.0f, 1e-3f);
+}
+
+TEST(Wavelength, IsNearCyclesAndBlackOutside) {
+  expect_near(wavelength_color(450.0f), {0.05856f, 0.0f, 0.7478f}, 0.02f);
+  expect_near(wavelength_color(550.0f), {0.0f, 0.57417f, 0.0f}, 0.02f);
+  expect_near(wavelength_color(600.0f), {0.98082f, 0.06121f, 0.0f}, 0.02f);
+  expect_near(wavelength_color(200.0f), Spectrum(0.0f));
 }
 
 TEST(LookupTable, InterpolatesAndHoldsItsEnds) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/node_type.h"
+#include "shading/nodes/blackbody.h"
 #include "shading/nodes/color.h"
 #include "shading/nodes/ramp.h"
 #include "shading/nodes/register.h"
@@ -93,6 +94,24 @@ struct RgbToBwNode {
   void eval(ShadingContext& context) const { context.set(value, luminance(context.get(color))); }
 };
 
+struct BlackbodyNode {
+  Input<float> temperature{1500.0f};
+  Output<Spectrum> color;
+
+  void eval(ShadingContext& context) const {
+    context.set(color, blackbody_color(context.get(temperature)));
+  }
+};
+
+struct WavelengthNode {
+  Input<float> wavelength{500.0f};
+  Output<Spectrum> color;
+
+  void eval(ShadingContext& context) const {
+    context.set(color, wavelength_color(context.get(wavelength)));
+  }
+};
+
 template <class Node>
 auto add_separate(NodeRegistry& registry, const char* idname, const char* input, const char* x,
                   const char* y, const char* z) {
@@ -144,6 +163,12 @@ void register_converter_nodes(NodeRegistry& registry) {
   registry.add<RgbToBwNode>("ShaderNodeRGBToBW")
       .input("Color", &RgbToBwNode::color)
       .output("Val", &RgbToBwNode::value);
+  registry.add<BlackbodyNode>("ShaderNodeBlackbody")
+      .input("Temperature", &BlackbodyNode::temperature)
+      .output("Color", &BlackbodyNode::color);
+  registry.add<WavelengthNode>("ShaderNodeWavelength")
+      .input("Wavelength", &WavelengthNode::wavelength)
+      .output("Color", &WavelengthNode::color);
   register_ramp_nodes(registry);
 }
 

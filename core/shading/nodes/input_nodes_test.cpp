@@ -176,6 +176,16 @@ TEST(AttributeNode, SpreadsNumbersAndDefaultsToBlack) {
   expect_near(node.vector("Vector"), {});
 }
 
+TEST(AttributeNode, FactorOfTwoNumbersIsTheFirst) {
+  Scene scene;
+  scene.add(0, {"map", AttributeDomain::corner, 2, {0, 0, 1, 0, 0, 1}});
+  NodeRun node("ShaderNodeAttribute");
+  node.context.surface = scene.at(0.25f, 0.5f);
+  node.setting<AttributeSlot>("attribute_name") = {"map", 0};
+  node.run();
+  EXPECT_FLOAT_EQ(node.number("Fac"), 0.25f);
+}
+
 TEST(AttributeNode, ReadsObjectsAndTheMirror) {
   Scene scene;
   scene.instance.object_attributes = {{4, {0.1f, 0.2f, 0.6f, 0.5f}}};
@@ -187,6 +197,9 @@ TEST(AttributeNode, ReadsObjectsAndTheMirror) {
   expect_near(node.vector("Vector"), {0.1f, 0.2f, 0.6f});
   EXPECT_FLOAT_EQ(node.number("Fac"), 0.3f);
   EXPECT_FLOAT_EQ(node.number("Alpha"), 0.5f);
+  node.setting<AttributeSlot>("attribute_name") = {"absent", 5};
+  node.run();
+  EXPECT_EQ(node.number("Alpha"), 0.0f);
 
   node.context.path.world = 3;
   node.setting<AttributeSlot>("attribute_name").name = k_dream;

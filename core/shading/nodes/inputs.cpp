@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bsdf/fresnel.h"
+#include "math/hash.h"
 #include "shading/node_type.h"
 #include "shading/nodes/attributes.h"
 #include "shading/nodes/layer_weight.h"
@@ -38,9 +39,9 @@ struct GeometryNode {
     context.set(incoming, surface.wo);
     context.set(parametric, {1.0f - surface.u - surface.v, surface.u, 0.0f});
     context.set(back_facing, surface.is_back_facing ? 1.0f : 0.0f);
-    // Neither is known of a mesh here: the values of a flat surface in one piece.
+    // Neither is known of a mesh here: what Blender gives a flat one in one piece.
     context.set(pointiness, 0.5f);
-    context.set(random_per_island, 0.5f);
+    context.set(random_per_island, uint_to_unit_closed(hash_uint(0)));
   }
 };
 

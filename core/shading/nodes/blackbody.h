@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "math/spectrum.h"
+
+namespace tenniel {
+
+// Linear Rec.709 colour of a black body of `kelvin`, of luminance 1 before what lies
+// out of gamut is cut off. `kelvin` is clamped to [800, 12000].
+Spectrum blackbody_color(float kelvin);
+
+// Linear Rec.709 colour of light of one wavelength in nanometres, by the CIE 1931 observer.
+Spectrum wavelength_color(float nanometres);
+
+}  // namespace tenniel
