@@ -39,6 +39,7 @@ class PathTracer {
   bool survives();
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
+  bool may_still_meet_light();
   bool pass_through(const SurfaceInteraction& at, Spectrum weight, WorldIndex world);
 
   const Scene& scene_;
@@ -230,7 +231,14 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.direction = sample->wi;
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;
-  return true;
+  return !state_.ends_after_transparent || may_still_meet_light();
+}
+
+// The last segment of a path can only pick up light: where none lies ahead it need not be traced.
+bool PathTracer::may_still_meet_light() {
+  if (scene_.has_emissive_surfaces || scene_.worlds[state_.info.world].material.emits) return true;
+  return !scene_.hittable_lamps.empty() &&
+         !is_black(lamps_met(scene_, state_, k_infinity, worker_));
 }
 
 }  // namespace

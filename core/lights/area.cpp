@@ -8,12 +8,31 @@ namespace tenniel {
 namespace {
 
 // Below this a spherical rectangle has lost its digits and the plain area does better.
-constexpr float k_min_solid_angle = 1e-5f;
+constexpr float k_min_solid_angle = 1e-3f;
 
 }  // namespace
 
 SphericalRectangle AreaLight::seen_from(Vec3 from) const {
-  return SphericalRectangle(from, center - (edge_u + edge_v) * 0.5f, edge_u, edge_v);
+  return SphericalRectangle(from, center - (edge_u + edge_v) * 0.5f, axis_u, axis_v, length_u,
+                            length_v);
+}
+
+void AreaLight::set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v,
+                          Vec3 shining_side) {
+  center = center_point;
+  edge_u = full_edge_u;
+  edge_v = full_edge_v;
+  normal = shining_side;
+  length_u = length(edge_u);
+  length_v = length(edge_v);
+  axis_u = normalize_or(edge_u, {1.0f, 0.0f, 0.0f});
+  axis_v = normalize_or(edge_v, {0.0f, 1.0f, 0.0f});
+  is_rectangle = std::abs(dot(axis_u, axis_v)) <= 1e-4f;
+  const Vec3 plane = cross(edge_u, edge_v);
+  const float squared = length_squared(plane);
+  if (!(squared > 0.0f)) return;
+  dual_u = cross(edge_v, plane) / squared;
+  dual_v = cross(plane, edge_u) / squared;
 }
 
 // Blender 3.4: with a = (pi - max(spread, 1 degree)) / 2 the radiance is scaled
@@ -72,10 +91,7 @@ std::optional<LampHit> AreaLight::intersect(const Ray& ray) const {
   const float t = -dot(center - ray.origin, normal) / cosine;
   if (!(t > ray.t_min) || t >= ray.t_max) return {};
   const Vec3 local = ray.at(t) - center;
-  // Dual basis of the edges: right for sheared lamps too.
-  const Vec3 plane = cross(edge_u, edge_v);
-  const float u = dot(cross(local, edge_v), plane) / length_squared(plane);
-  const float v = dot(cross(edge_u, local), plane) / length_squared(plane);
+  const float u = dot(local, dual_u), v = dot(local, dual_v);
   const bool inside =
       is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
   if (!inside) return {};

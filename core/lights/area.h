@@ -15,6 +15,9 @@ struct AreaLight {
   Vec3 center;
   Vec3 edge_u, edge_v;  // full extents, world space
   Vec3 normal;          // unit, the side that shines
+  Vec3 axis_u, axis_v;  // unit, along the edges
+  float length_u = 0.0f, length_v = 0.0f;
+  Vec3 dual_u, dual_v;  // coordinates along the edges of a point in the plane; sheared lamps too
   bool is_ellipse = false;
   bool is_rectangle = true;  // perpendicular edges: sampled by solid angle
   Spectrum radiance;         // along the normal
@@ -25,6 +28,8 @@ struct AreaLight {
     const float rectangle = length(cross(edge_u, edge_v));
     return is_ellipse ? rectangle * (k_pi / 4.0f) : rectangle;
   }
+  // Sets center, edges and what follows from them.
+  void set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v, Vec3 shining_side);
   // Sets the limit of the beam; `spread` is Blender's full angle in radians.
   void set_spread(float spread);
   std::optional<LightSample> sample(const ShadingPoint& point, Vec2 u) const;

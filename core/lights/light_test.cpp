@@ -15,10 +15,7 @@ namespace {
 
 AreaLight area_light(Vec3 center, float size, bool is_ellipse, float spread = k_pi) {
   AreaLight light;
-  light.center = center;
-  light.edge_u = {size, 0.0f, 0.0f};
-  light.edge_v = {0.0f, -size, 0.0f};
-  light.normal = {0.0f, 0.0f, -1.0f};
+  light.set_place(center, {size, 0.0f, 0.0f}, {0.0f, -size, 0.0f}, {0.0f, 0.0f, -1.0f});
   light.is_ellipse = is_ellipse;
   light.radiance = Spectrum(1.0f);
   light.set_spread(spread);

@@ -35,6 +35,19 @@ inline float safe_acos(float x) {
 inline float safe_asin(float x) {
   return std::asin(std::clamp(x, -1.0f, 1.0f));
 }
+// asin to 2e-8 by a polynomial (Abramowitz & Stegun 1964, 4.4.46); clamps like `safe_asin`.
+inline float fast_asin(float x) {
+  const float a = std::min(std::abs(x), 1.0f);
+  float p = -0.0012624911f;
+  p = p * a + 0.0066700901f;
+  p = p * a - 0.0170881256f;
+  p = p * a + 0.0308918810f;
+  p = p * a - 0.0501743046f;
+  p = p * a + 0.0889789874f;
+  p = p * a - 0.2145988016f;
+  p = p * a + 1.5707963050f;
+  return std::copysign(0.5f * k_pi - std::sqrt(1.0f - a) * p, x);
+}
 // Zero where the divisor is zero: Blender's convention in every shader node.
 constexpr float safe_divide(float a, float b) {
   return b != 0.0f ? a / b : 0.0f;

@@ -59,9 +59,9 @@ constexpr float max_component(Spectrum a) {
 constexpr float mean(Spectrum a) {
   return (a.r + a.g + a.b) * (1.0f / 3.0f);
 }
-// Rec.709 luminance weights.
+// Rec.709 luminance, with the digits that Blender's colour to value conversion has.
 constexpr float luminance(Spectrum a) {
-  return 0.2126f * a.r + 0.7152f * a.g + 0.0722f * a.b;
+  return 0.2126729f * a.r + 0.7151522f * a.g + 0.0721750f * a.b;
 }
 constexpr Spectrum lerp(Spectrum a, Spectrum b, float t) {
   return a * (1.0f - t) + b * t;

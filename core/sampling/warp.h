@@ -96,11 +96,10 @@ constexpr float triangle_pdf(float area) {
 // their excess over a right angle: the sum has no 2 pi to cancel and holds for tiny rectangles.
 class SphericalRectangle {
  public:
-  // `corner` and the two perpendicular edges, in the space of `from`.
-  SphericalRectangle(Vec3 from, Vec3 corner, Vec3 edge_x, Vec3 edge_y) : from_(from) {
-    const float length_x = length(edge_x), length_y = length(edge_y);
-    axis_x_ = edge_x / length_x;
-    axis_y_ = edge_y / length_y;
+  // `corner` in the space of `from`; the edges as perpendicular unit axes and their lengths.
+  SphericalRectangle(Vec3 from, Vec3 corner, Vec3 axis_x, Vec3 axis_y, float length_x,
+                     float length_y)
+      : from_(from), axis_x_(axis_x), axis_y_(axis_y) {
     axis_z_ = cross(axis_x_, axis_y_);
     const Vec3 d = corner - from;
     z0_ = dot(d, axis_z_);
@@ -118,11 +117,12 @@ class SphericalRectangle {
     const float right = slope(x1_), left = -slope(x0_);
     b0_ = -slope(y0_);
     b1_ = slope(y1_);
-    excess_ = safe_asin(b1_ * left) + safe_asin(left * b0_);
-    solid_angle_ = std::max(0.0f, safe_asin(b0_ * right) + safe_asin(right * b1_) + excess_);
+    excess_ = fast_asin(b1_ * left) + fast_asin(left * b0_);
+    solid_angle_ = std::max(0.0f, fast_asin(b0_ * right) + fast_asin(right * b1_) + excess_);
   }
 
-  float solid_angle() const { return solid_angle_; }  // 0: must not be sampled
+  // 0: must not be sampled. Off by up to 1e-7: worthless for much smaller rectangles.
+  float solid_angle() const { return solid_angle_; }
   float pdf() const { return 1.0f / solid_angle_; }
 
   // A point on the rectangle.

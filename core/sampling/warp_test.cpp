@@ -146,15 +146,16 @@ TEST(WarpStatistics, SphericalRectangleIsUniformInSolidAngle) {
     Vec3 corner, ex, ey;
   };
   const Case cases[] = {
-      {{-1.0f, -1.0f, 0.5f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}},     // close
-      {{-1.0f, -1.0f, -0.5f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}},    // from the other side
-      {{1.0f, 2.0f, 0.7f}, {0.0f, 0.0f, 3.0f}, {0.5f, 0.0f, 0.0f}},       // off to a corner
-      {{-0.5f, -0.2f, 300.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.4f, 0.0f}},   // tiny
-      {{200.0f, 10.0f, 100.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.4f, 0.0f}},  // tiny and oblique
+      {{-1.0f, -1.0f, 0.5f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}},   // close
+      {{-1.0f, -1.0f, -0.5f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f}},  // from the other side
+      {{1.0f, 2.0f, 0.7f}, {0.0f, 0.0f, 3.0f}, {0.5f, 0.0f, 0.0f}},     // off to a corner
+      {{-0.5f, -0.2f, 15.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.4f, 0.0f}},  // far
+      {{10.0f, 0.5f, 5.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.4f, 0.0f}},    // far and oblique
   };
   for (const Case& c : cases) {
     const Vec3 from{0.1f, 0.2f, 0.05f};
-    const SphericalRectangle rectangle(from, c.corner, c.ex, c.ey);
+    const SphericalRectangle rectangle(from, c.corner, normalize(c.ex), normalize(c.ey),
+                                       length(c.ex), length(c.ey));
     constexpr int k_cells = 6;
     std::vector<double> expected, counts(k_cells * k_cells);
     double total = 0.0;
@@ -187,13 +188,13 @@ TEST(WarpStatistics, SphericalRectangleIsUniformInSolidAngle) {
 
 TEST(Warp, SphericalRectangleSeenEdgeOnIsEmpty) {
   const SphericalRectangle flat({0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f},
-                                {0.0f, 1.0f, 0.0f});
+                                {0.0f, 1.0f, 0.0f}, 1.0f, 1.0f);
   EXPECT_EQ(flat.solid_angle(), 0.0f);
 }
 
 TEST(Warp, EndsOfTheSquareStayFinite) {
-  const SphericalRectangle rectangle({0.0f, 0.0f, 0.0f}, {-1.0f, -1.0f, 1.0f}, {2.0f, 0.0f, 0.0f},
-                                     {0.0f, 2.0f, 0.0f});
+  const SphericalRectangle rectangle({0.0f, 0.0f, 0.0f}, {-1.0f, -1.0f, 1.0f}, {1.0f, 0.0f, 0.0f},
+                                     {0.0f, 1.0f, 0.0f}, 2.0f, 2.0f);
   for (const float x : {0.0f, 0.5f, k_one_minus_epsilon}) {
     for (const float y : {0.0f, 0.5f, k_one_minus_epsilon}) {
       const Vec2 u{x, y};

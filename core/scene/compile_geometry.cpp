@@ -190,10 +190,13 @@ void SceneCompiler::compile_geometry() {
 
   for (const Instance& instance : scene.instances) {
     if (instance.looking_glass.dream > 0) scene.has_looking_glasses = true;
-    for (const auto* list : {&instance.materials, &instance.behind_materials})
-      for (const uint32_t m : *list)
-        if (scene.materials[m].is_transparent && scene.materials[m].use_transparent_shadow)
-          scene.has_transparent_shadows = true;
+    for (const auto* list : {&instance.materials, &instance.behind_materials}) {
+      for (const uint32_t m : *list) {
+        const Material& material = scene.materials[m];
+        scene.has_emissive_surfaces |= material.emits;
+        scene.has_transparent_shadows |= material.is_transparent && material.use_transparent_shadow;
+      }
+    }
   }
   static const std::atomic<bool> never{false};
   scene.accel =

@@ -29,13 +29,10 @@ SpotLight spot_light(const LightDesc& desc, Spectrum power, const Transform& mat
 AreaLight area_light(const LightDesc& desc, Spectrum power, const Transform& matrix) {
   AreaLight light;
   const bool symmetric = desc.shape == "SQUARE" || desc.shape == "DISK";
-  light.center = matrix.translation;
-  light.edge_u = matrix.x * desc.size_x;
-  light.edge_v = matrix.y * (symmetric ? desc.size_x : desc.size_y);
-  light.normal = normalize_or(-matrix.z, {0.0f, 0.0f, -1.0f});
+  light.set_place(matrix.translation, matrix.x * desc.size_x,
+                  matrix.y * (symmetric ? desc.size_x : desc.size_y),
+                  normalize_or(-matrix.z, {0.0f, 0.0f, -1.0f}));
   light.is_ellipse = desc.shape == "DISK" || desc.shape == "ELLIPSE";
-  light.is_rectangle = std::abs(dot(light.edge_u, light.edge_v)) <=
-                       1e-4f * length(light.edge_u) * length(light.edge_v);
   const float area = light.area();
   light.radiance = area > 0.0f ? power / (4.0f * area) : Spectrum();
   light.set_spread(desc.spread);

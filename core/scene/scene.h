@@ -39,6 +39,7 @@ struct Scene {
   Camera camera;
   CameraInfo camera_info;
   bool has_transparent_shadows = false;
+  bool has_emissive_surfaces = false;
   bool has_looking_glasses = false;
   size_t register_count = 0;  // the most any program needs
 
