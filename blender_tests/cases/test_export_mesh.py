@@ -96,6 +96,17 @@ class NormalsTest(ExportTestCase):
             self.assert_close(mesh.corner_normals[i:i + 3], tilted, 2)
 
 
+    def test_custom_normals_bend_flat_faces(self):
+        obj = scene_factory.plane(self.scene)
+        obj.data.use_auto_smooth = True
+        obj.data.normals_split_custom_set([(0.6, 0.0, 0.8)] * 4)
+        obj.data.polygons[0].use_smooth = False
+        mesh, = self.export().meshes
+        self.assertTrue(all(mesh.smooth_flags))
+        for i in range(0, 12, 3):
+            self.assert_close(mesh.corner_normals[i:i + 3], (0.6, 0.0, 0.8), 2)
+
+
 class MaterialIndexTest(ExportTestCase):
 
     def two_faces(self):

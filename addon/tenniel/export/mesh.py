@@ -84,6 +84,8 @@ def _set_normals(core, desc, mesh):
     if compat.needs_corner_normals(mesh):
         desc.corner_normals = core.FloatBuffer(3 * len(mesh.loops))
         compat.read_corner_normals(mesh, desc.corner_normals)
+        # These hold for flat faces too: they are flat there unless the artist bent them.
+        memoryview(smooth).cast('B')[:] = b'\x01' * len(mesh.polygons)
     elif b'\x01' in bytes(memoryview(smooth)):
         desc.vertex_normals = _filled(core.FloatBuffer(3 * len(mesh.vertices)),
                                       mesh.vertex_normals, 'vector')
