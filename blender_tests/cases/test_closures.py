@@ -69,6 +69,12 @@ class DiffuseTest(ClosureCase):
             self.under_world(f"diffuse {roughness}", make)
             self.under_lamp(f"diffuse {roughness}", make)
 
+    def test_velvet(self):
+        for sigma in (0.2, 1.0):
+            make = closure("ShaderNodeBsdfVelvet", Color=(0.8, 0.5, 0.1), Sigma=sigma)
+            self.under_world(f"velvet {sigma}", make, angles=(45.0, 75.0))
+            self.under_lamp(f"velvet {sigma}", make, view=75.0)
+
     def test_translucent(self):
         make = closure("ShaderNodeBsdfTranslucent", Color=(0.8, 0.5, 0.1))
         self.under_world("translucent", make)

@@ -13,6 +13,7 @@
 #include "bsdf/specular.h"
 #include "bsdf/translucent.h"
 #include "bsdf/transparent.h"
+#include "bsdf/velvet.h"
 
 namespace tenniel {
 
@@ -28,7 +29,7 @@ namespace tenniel {
 // with directions in the lobe's frame (z = its normal, wo.z > 0).
 using Lobe = std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent,
                           Transparent, MicrofacetReflection, MicrofacetRefraction, Clearcoat,
-                          SpecularReflection, SpecularRefraction>;
+                          SpecularReflection, SpecularRefraction, Velvet>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 

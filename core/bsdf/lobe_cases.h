@@ -31,6 +31,8 @@ inline std::vector<LobeCase> diffuse_cases() {
   for (const float sigma : {0.0f, 0.4f, 1.0f})
     cases.push_back(
         {"OrenNayar_" + std::to_string(static_cast<int>(sigma * 100)), OrenNayar{sigma}});
+  for (const float sigma : {0.01f, 0.1f, 0.3f, 1.0f})
+    cases.push_back({"Velvet_" + std::to_string(static_cast<int>(sigma * 100)), Velvet{sigma}});
   for (const float r : {0.0f, 0.5f, 1.0f})
     cases.push_back(
         {"PrincipledDiffuse_" + std::to_string(static_cast<int>(r * 100)), PrincipledDiffuse{r}});

@@ -88,6 +88,11 @@ void TranslucentNode::eval(ShadingContext& context) const {
   context.bsdf.add(Translucent{}, context.get(color) * context.get(weight), context.normal(normal));
 }
 
+void VelvetNode::eval(ShadingContext& context) const {
+  context.bsdf.add(Velvet{context.get(sigma)}, context.get(color) * context.get(weight),
+                   context.normal(normal));
+}
+
 void TransparentNode::eval(ShadingContext& context) const {
   context.transparency += context.get(color) * context.get(weight);
 }
@@ -158,6 +163,13 @@ void register_reflecting(NodeRegistry& registry) {
                {"GGX", k_ggx},
                {"MULTI_GGX", k_ggx},
                {"ASHIKHMIN_SHIRLEY", k_ggx}})
+      .closure_output("BSDF")
+      .closure();
+  registry.add<VelvetNode>("ShaderNodeBsdfVelvet")
+      .input("Color", &VelvetNode::color)
+      .input("Sigma", &VelvetNode::sigma)
+      .input("Normal", &VelvetNode::normal)
+      .implicit(ImplicitInput::normal)
       .closure_output("BSDF")
       .closure();
 }

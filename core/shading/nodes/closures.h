@@ -65,6 +65,15 @@ struct TranslucentNode {
   uint8_t closure_parts() const { return k_query_scatter; }
 };
 
+struct VelvetNode {
+  Input<float> weight;
+  Input<Spectrum> color{Spectrum(0.8f)};
+  Input<float> sigma{1.0f};
+  Input<Vec3> normal;
+  void eval(ShadingContext& context) const;
+  uint8_t closure_parts() const { return k_query_scatter; }
+};
+
 // Adds to ShadingContext::transparency, not to the Bsdf: shadow rays and paths treat it alike.
 struct TransparentNode {
   Input<float> weight;
