@@ -81,14 +81,23 @@ inline float sample_visible_slope(float cos_theta, float sin_theta, float u) {
 }  // namespace detail
 
 // Area of the microsurface visible from `w`, projected on it: |cos| (1 + Lambda), with the exact
-// Lambda [Heitz 2014, eqs. 14, 42, 81]: visible normals are drawn exactly, and Walter's rational
-// fit is up to 0.5 % off.
+// Lambda [Heitz 2014, eqs. 14, 42, 81], for visible normals are drawn exactly.
 inline float visible_area(Vec3 w, float alpha_x, float alpha_y) {
   const float cos_theta = std::abs(w.z);
   const float sine = std::sqrt(sqr(alpha_x * w.x) + sqr(alpha_y * w.y));
   if (cos_theta >= 4.0f * sine) return cos_theta;  // no facet is hidden, to a float
   const float a = cos_theta / sine;
   return 0.5f * (cos_theta * (1.0f + std::erf(a)) + sine * k_inv_sqrt_pi * std::exp(-a * a));
+}
+
+// G1 by the rational fit of Walter et al. 2007, section 5.2, up to 0.3 % off; Cycles' pictures show
+// the fit.
+inline float masking(Vec3 w, float alpha_x, float alpha_y) {
+  const float sine = std::sqrt(sqr(alpha_x * w.x) + sqr(alpha_y * w.y));
+  const float cos_theta = std::abs(w.z);
+  if (cos_theta >= 1.6f * sine) return 1.0f;
+  const float a = cos_theta / sine;
+  return a * (3.535f + 2.181f * a) / (1.0f + a * (2.276f + 2.577f * a));
 }
 
 // Facets as seen from `wo` (wo.z > 0), density D(m) (wo.m) / visible_area(wo).

@@ -29,7 +29,7 @@ struct MicrofacetReflection {
     const Vec3 m = normalize(wo + wi);
     const float area = surface.visible_area(wo);
     const float pdf = surface.normal_density(m) / (4.0f * area);
-    const float masking = surface.masking(wi);
+    const float masking = surface.masking_of_visible(wo, area, wi);
     return {fresnel(dot(wo, m)) * (pdf * masking), pdf};
   }
 
@@ -42,7 +42,7 @@ struct MicrofacetReflection {
     const float area = surface.visible_area(wo);
     const float pdf = surface.normal_density(m) / (4.0f * area);
     if (!(pdf > 0.0f)) return std::nullopt;
-    const float masking = surface.masking(wi);
+    const float masking = surface.masking_of_visible(wo, area, wi);
     return LobeSample{wi, fresnel(dot(wo, m)) * masking, pdf};
   }
 };

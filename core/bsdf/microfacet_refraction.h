@@ -47,7 +47,7 @@ struct MicrofacetRefraction {
     if (!(cos_o > 0.0f) || !(cos_i < 0.0f)) return {};
     const float area = surface.visible_area(wo);
     const float pdf = facet_pdf(m, cos_o, area) * jacobian(cos_i, half2);
-    const float masking = surface.masking(wi);
+    const float masking = surface.masking_of_visible(wo, area, wi);
     return {Spectrum(pdf * masking), pdf};
   }
 
@@ -62,7 +62,7 @@ struct MicrofacetRefraction {
     const float area = surface.visible_area(wo);
     const float pdf = facet_pdf(m, cos_o, area) * jacobian(cos_i, sqr(cos_o + eta * cos_i));
     if (!(pdf > 0.0f) || !std::isfinite(pdf)) return std::nullopt;
-    const float masking = surface.masking(*wi);
+    const float masking = surface.masking_of_visible(wo, area, *wi);
     return LobeSample{*wi, Spectrum(masking), pdf};
   }
 

@@ -43,8 +43,15 @@ struct Microsurface {
     return is_ggx() ? ggx::visible_area(w, alpha_x, alpha_y)
                     : beckmann::visible_area(w, alpha_x, alpha_y);
   }
-  // G1(w) = cos / visible area (Heitz 2014, eq. 14).
-  float masking(Vec3 w) const { return std::abs(w.z) / visible_area(w); }
+  // G1(w) = cos / visible area (Heitz 2014, eq. 14); of Beckmann facets Walter's fit, as Cycles.
+  float masking(Vec3 w) const {
+    return is_ggx() ? std::abs(w.z) / visible_area(w) : beckmann::masking(w, alpha_x, alpha_y);
+  }
+  // What G1(wo) G1(wi) leaves of light off a facet drawn by `sample_visible_normal`: value / pdf.
+  float masking_of_visible(Vec3 wo, float area_o, Vec3 wi) const {
+    if (is_ggx()) return masking(wi);  // G1(wo) is what the facets were drawn by
+    return masking(wo) * (area_o / wo.z) * masking(wi);
+  }
   Vec3 sample_visible_normal(Vec3 wo, Vec2 u) const {
     return is_ggx() ? ggx::sample_visible_normal(wo, alpha_x, alpha_y, u)
                     : beckmann::sample_visible_normal(wo, alpha_x, alpha_y, u);
