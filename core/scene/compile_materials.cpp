@@ -168,6 +168,7 @@ void SceneCompiler::compile_materials() {
   scene.lamp_materials.resize(description.lights.size());
   for (size_t i = 0; i < description.lights.size(); ++i) {
     const LightDesc& desc = description.lights[i];
+    scene.lamp_infos.push_back({Transform::from_rows(desc.object_to_world), desc.random});
     if (!desc.graph.nodes.empty())
       scene.lamp_materials[i] = compile(desc.graph, ShaderDomain::lamp, DisplacementMethod::bump);
   }

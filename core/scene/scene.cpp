@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene.h"
 
-#include <type_traits>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/numeric.h"
 
 namespace tenniel {
 
@@ -21,10 +25,35 @@ size_t mesh_bytes(const Mesh& m) {
   return total;
 }
 
+// A lamp as its tree sees it. Parametric (1 - u - v, u) runs over the rectangle of an area lamp
+// and over the directions around a point or spot lamp.
+SurfaceInteraction lamp_surface(const Light& light, Vec3 position, Vec3 wi, float distance) {
+  SurfaceInteraction at;
+  at.position = position;
+  at.wo = -wi;
+  at.geometric_normal = -wi;
+  at.t = std::min(distance, std::numeric_limits<float>::max());
+  if (const auto* area = light.as<AreaLight>()) {
+    const Vec3 local = position - area->center;
+    const float along_u = dot(local, area->dual_u), along_v = dot(local, area->dual_v);
+    at.geometric_normal = area->normal;
+    at.u = along_v + 0.5f;
+    at.v = -along_u - along_v;
+  } else if (light.as<SunLight>()) {
+    at.position = -wi;
+  } else {
+    at.u = 0.5f - std::atan2(-wi.x, -wi.y) / k_two_pi;
+    at.v = 1.0f - safe_acos(-wi.z) * k_inv_pi;
+  }
+  at.shading_normal = at.geometric_normal;
+  return at;
+}
+
 void begin_evaluation(const Scene& scene, const PathInfo& path, ShaderDomain domain,
                       ShadingContext& context) {
   context.path = path;
   context.domain = domain;
+  context.lamp = nullptr;
   context.camera = &scene.camera_info;
   context.begin(k_query_emission);
 }
@@ -71,14 +100,11 @@ Spectrum lamp_emission(const Scene& scene, const Light& light, Vec3 position, Ve
   if (!light.material) return Spectrum(1.0f);
   const Material& material = *light.material;
   if (material.is_emission_constant) return material.constant_emission;
-  context.surface = SurfaceInteraction();
-  context.surface.position = position;
-  context.surface.wo = -wi;
-  // In a lamp's tree Normal is the direction of emission, and the ray is the one from the lamp.
-  context.surface.geometric_normal = context.surface.shading_normal = -wi;
-  context.surface.t = distance;
+  context.surface = lamp_surface(light, position, wi, distance);
   begin_evaluation(scene, path, ShaderDomain::lamp, context);
+  context.lamp = &scene.lamp_infos[static_cast<size_t>(&material - scene.lamp_materials.data())];
   material.emission.run(context);
+  context.lamp = nullptr;
   return context.emission;
 }
 

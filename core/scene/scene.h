@@ -31,6 +31,7 @@ struct Scene {
   std::vector<std::unique_ptr<const Texture>> textures;
   std::vector<std::shared_ptr<const Image>> images;
   std::vector<Material> lamp_materials;
+  std::vector<LampInfo> lamp_infos;  // of lamp_materials, index by index
   std::shared_ptr<const Accel> accel;
   std::vector<Light> lights;
   std::vector<uint32_t> hittable_lamps;  // indices of lights that rays can meet

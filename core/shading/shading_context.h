@@ -31,6 +31,7 @@ struct PathInfo {
   bool is_reflection = false;  // the last bounce reflected
   int ray_depth = 0, diffuse_depth = 0, glossy_depth = 0, transmission_depth = 0;
   int transparent_depth = 0;
+  bool is_diffuse = false;  // the last bounce was diffuse, off the surface or through it
 };
 
 // Camera facts that Texture Coordinate, Camera Data and Vector Transform read.
@@ -41,17 +42,26 @@ struct CameraInfo {
   const void* camera = nullptr;
 };
 
+// What a lamp's tree may ask about its lamp.
+struct LampInfo {
+  Transform object_to_world;
+  float random = 0.0f;  // [0, 1], of Object Info
+};
+
 // Everything a node may read, and where closures write. One per worker; lives as long as it.
 class ShadingContext {
  public:
   // `register_count`: the most any program of the scene needs.
   void reserve(size_t register_count) { registers_.resize(register_count); }
 
-  SurfaceInteraction surface;  // in a World: position = direction, wo = -direction
+  // In a World: position = direction, wo = -direction. In a lamp's tree: no instance; the normals
+  // are where the lamp shines to.
+  SurfaceInteraction surface;
   PathInfo path;
   ShaderDomain domain = ShaderDomain::surface;
   uint8_t query = k_query_surface;
   const CameraInfo* camera = nullptr;
+  const LampInfo* lamp = nullptr;  // set in a lamp's tree only
   float material_pass_index = 0.0f;
   // The normal that closures use where their Normal input is not linked: the shading normal, or
   // what displacement as bump made of it.

@@ -21,8 +21,10 @@ constexpr Vec3 flip_z(Vec3 v) {
 // points from object to world.
 Vec3 normal_to_object(const ShadingContext& context, Vec3 normal) {
   const Instance* instance = context.surface.instance;
-  if (!instance) return normal;
-  return normalize_or(instance->object_to_world.transposed_vector(normal), normal);
+  const Transform* map = instance       ? &instance->object_to_world
+                         : context.lamp ? &context.lamp->object_to_world
+                                        : nullptr;
+  return map ? normalize_or(map->transposed_vector(normal), normal) : normal;
 }
 
 struct TextureCoordinateNode {
@@ -73,7 +75,8 @@ struct TextureCoordinateNode {
     if (!context.camera) return {};
     const Transform& map = context.camera->world_to_camera;
     const Vec3 p = context.surface.position;
-    return flip_z(context.domain == ShaderDomain::world ? map.vector(p) : map.point(p));
+    // What is no object counts from the camera.
+    return flip_z(context.domain == ShaderDomain::surface ? map.point(p) : map.vector(p));
   }
 
   static Vec3 window_of(const ShadingContext& context) {

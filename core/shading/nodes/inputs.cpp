@@ -41,7 +41,7 @@ struct GeometryNode {
     context.set(back_facing, surface.is_back_facing ? 1.0f : 0.0f);
     // Neither is known of a mesh here: what Blender gives a flat one in one piece.
     context.set(pointiness, 0.5f);
-    context.set(random_per_island, uint_to_unit_closed(hash_uint(0)));
+    context.set(random_per_island, surface.mesh ? uint_to_unit_closed(hash_uint(0)) : 0.0f);
   }
 };
 
@@ -58,7 +58,7 @@ struct ObjectInfoNode {
     context.set(color, {tint.x, tint.y, tint.z});
     context.set(alpha, instance ? instance->alpha : 0.0f);
     context.set(object_index, instance ? instance->pass_index : 0.0f);
-    context.set(random, instance ? instance->random : 0.0f);
+    context.set(random, instance ? instance->random : context.lamp ? context.lamp->random : 0.0f);
   }
 };
 
@@ -106,9 +106,9 @@ struct LightPathNode {
     const bool transmitted = path.kind == RayKind::transmission;
     flag(is_camera, path.kind == RayKind::camera);
     flag(is_shadow, shadow);
-    flag(is_diffuse, path.kind == RayKind::diffuse);
+    flag(is_diffuse, path.is_diffuse && !shadow);
     // Glass counts as glossy for what it lets through, too.
-    flag(is_glossy, path.kind == RayKind::glossy || transmitted);
+    flag(is_glossy, !path.is_diffuse && (path.kind == RayKind::glossy || transmitted));
     flag(is_singular, path.is_singular && !shadow);
     flag(is_reflection, path.is_reflection && !shadow);
     flag(is_transmission, transmitted);
