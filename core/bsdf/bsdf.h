@@ -30,6 +30,7 @@ struct BsdfSample {
   float pdf = 0.0f;  // of a delta lobe: the probability of having chosen it
   LobeClass lobe_class = LobeClass::diffuse;
   bool is_delta = false;
+  bool is_diffuse = false;  // reflected or transmitted by a diffuse lobe
   float roughness = 0.0f;  // alpha of the lobe; 1 for diffuse ones
 };
 

@@ -10,8 +10,9 @@ namespace tenniel {
 
 namespace {
 
-// Requests to the sampler per path vertex: two light samples of two, a lobe, a direction, roulette.
-constexpr uint32_t k_dimensions_per_vertex = 8;
+// Requests to the sampler per path vertex: two light samples of three, a lobe, a direction,
+// roulette.
+constexpr uint32_t k_dimensions_per_vertex = 12;
 constexpr uint32_t k_camera_dimensions = 8;
 // A path that only passes through surfaces ends here whatever the settings say.
 constexpr uint32_t k_max_vertices = 1024;
@@ -77,7 +78,6 @@ SampleResult PathTracer::trace(Vec2 raster) {
     if (apply_holdout(at)) break;
     add_emission(at);
     record_first_surface(at);
-    if (!survives()) break;
 
     const Bsdf& bsdf = worker_.surface.bsdf;
     const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
@@ -90,7 +90,9 @@ SampleResult PathTracer::trace(Vec2 raster) {
 }
 
 void PathTracer::add(Spectrum radiance, int bounces) {
-  result_.radiance += clamped(state_.throughput * radiance, bounces, settings_);
+  const Spectrum found = clamped(state_.throughput * radiance, bounces, settings_);
+  result_.radiance += found;
+  state_.gathered += mean(found);
 }
 
 // Light met by chance counts as the bounce before it did.
@@ -167,6 +169,7 @@ void PathTracer::record_first_surface(const SurfaceInteraction& at) {
                        : worker_.surface.bsdf.average_normal();
 }
 
+// Decided before the ray is traced: a path that ends costs no ray more.
 bool PathTracer::survives() {
   const float probability = survival_probability(state_, settings_);
   if (probability >= 1.0f) return true;
@@ -176,7 +179,7 @@ bool PathTracer::survives() {
 }
 
 void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint& point) {
-  if (state_.ends_after_transparent) return;
+  if (state_.ends_after_transparent || sees_emission_only(state_, settings_)) return;
   const LobeSet smooth = worker_.surface.bsdf.smooth_lobes();
   for (const WorldGroup& group : {groups.keeping, groups.entering}) {
     if ((smooth & group.lobes).empty()) continue;
@@ -188,7 +191,7 @@ void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint&
 // Continues behind the surface as if it were not there.
 bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight, WorldIndex world) {
   state_.throughput *= weight;
-  if (++state_.info.transparent_depth > settings_.transparent_max_bounces) return false;
+  ++state_.info.transparent_depth;
   state_.info.world = world;
   state_.cone.radius = at.footprint;
   state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
@@ -199,6 +202,7 @@ bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight, Wor
 
 bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
                         const ShadingPoint& point) {
+  if (sees_emission_only(state_, settings_)) return false;
   const ShadingContext& context = worker_.surface;
   if (state_.ends_after_transparent) {
     const WorldIndex world = groups.of(LobeClass::transparent).world;
@@ -231,7 +235,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.direction = sample->wi;
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;
-  return !state_.ends_after_transparent || may_still_meet_light();
+  return survives() && (!state_.ends_after_transparent || may_still_meet_light());
 }
 
 // The last segment of a path can only pick up light: where none lies ahead it need not be traced.

@@ -16,18 +16,23 @@ struct PathState {
   Ray ray;
   RayCone cone;
   Spectrum throughput{1.0f};
+  float gathered = 0.0f;  // mean of the radiance that the path has found so far
   PathInfo info;
   // The last vertex that scattered, for the weight of light met by chance. `pdf` 0: no light sample
   // could have made this segment (camera ray, or a delta lobe).
   ShadingPoint origin;
   float pdf = 0.0f;
-  float distance_from_origin = 0.0f;  // metres, over transparent surfaces since
+  // Added to the length of the segment to give that of the ray: it runs on through transparent
+  // surfaces, and a camera's starts at the clip plane.
+  float length_before = 0.0f;
   // Least density of any bounce so far, for filter glossy.
   float min_pdf = std::numeric_limits<float>::max();
   bool sees_background = true;     // nothing but transparent surfaces so far
   bool is_specular_so_far = true;  // only deltas and transparent surfaces so far
-  bool ends_after_transparent =
-      false;              // a bounce limit is reached: only what passes through goes on
+  // A bounce limit is reached: only what passes through goes on.
+  bool ends_after_transparent = false;
+  // Too many transparent surfaces: only the light of the next one still counts.
+  bool ends_at_next_surface = false;
   uint32_t vertices = 0;  // surfaces met, transparent ones included
 };
 
