@@ -114,6 +114,19 @@ std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceIntera
   return result;
 }
 
+Vec2 parametric_coordinates(const SurfaceInteraction& at) {
+  const auto& w = at.weights;
+  if (at.mesh->corners_per_face == 3) return {w[0], w[1]};
+  const uint32_t* v = &at.mesh->face_vertices[at.face * size_t{4}];
+  if (v[2] == v[3]) return {w[0], w[1]};
+  // `build_mesh` turns a quad, and Embree has its second half start elsewhere; Blender begins both
+  // halves at their first corner.
+  const auto& corners = at.triangle.corners;
+  const auto first =
+      static_cast<size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+  return {w[first], w[(first + 1) % 3]};
+}
+
 SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset) {
   SurfaceInteraction moved = at;
   moved.position += offset;

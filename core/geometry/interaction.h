@@ -35,7 +35,7 @@ struct SurfaceInteraction {
   FaceTriangle triangle{};            // the half of the face that was hit
   std::array<float, 3> weights{};     // barycentric, of triangle.vertices / corners
   std::array<Vec3, 3> corner_points;  // world-space vertices of the triangle
-  float u = 0.0f, v = 0.0f;           // Blender's parametric: weights 1 and 2
+  float u = 0.0f, v = 0.0f;           // weights 1 and 2; what a lamp has in their place
 };
 
 // `hit` comes from `ray`; `mesh` is the mesh of `instance`.
@@ -44,6 +44,9 @@ SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instan
 
 // Interpolates `attribute` at the point: 4 floats; missing channels are 0, a missing alpha 1.
 std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceInteraction& at);
+
+// Blender's parametric coordinates: the weights of the first two corners of its own triangle.
+Vec2 parametric_coordinates(const SurfaceInteraction& at);
 
 // The same surface extended in its tangent plane: position and barycentric weights moved by
 // `offset` (world space, perpendicular to the geometric normal). For bump's finite differences.

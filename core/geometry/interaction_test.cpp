@@ -144,6 +144,31 @@ TEST(Interpolate, ReadsEveryDomain) {
   EXPECT_EQ(interpolate(by_face, other)[0], 5.0f);
 }
 
+// Blender's halves of a quad: (0,1,2) and (0,2,3), or (0,1,3) and (1,2,3).
+TEST(ParametricCoordinates, AreThoseOfBlendersTriangles) {
+  struct Case {
+    int first_of_fan;
+    Vec2 place, expected;
+  };
+  for (const Case& c : {Case{0, {0.8f, 0.3f}, {0.2f, 0.5f}}, Case{0, {0.3f, 0.8f}, {0.2f, 0.3f}},
+                        Case{1, {0.2f, 0.3f}, {0.5f, 0.2f}}, Case{1, {0.9f, 0.6f}, {0.4f, 0.5f}}}) {
+    test::Polygons p;
+    for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}})
+      p.add_vertex(corner);
+    p.add_polygon({0, 1, 2, 3}, c.first_of_fan);
+    const std::vector<Mesh> meshes{build_mesh(p.soup())};
+    const std::vector<Instance> instances{test::place(0)};
+    const auto accel = Accel::build(meshes, instances, k_not_cancelled);
+    const Ray down{{c.place.x, c.place.y, 1.0f}, {0.0f, 0.0f, -1.0f}};
+    const auto hit = accel->intersect(down, ~0u);
+    ASSERT_TRUE(hit);
+    const Vec2 found =
+        parametric_coordinates(make_interaction(down, *hit, instances[0], meshes[0], 0.0f));
+    EXPECT_NEAR(found.x, c.expected.x, 1e-6f);
+    EXPECT_NEAR(found.y, c.expected.y, 1e-6f);
+  }
+}
+
 TEST(Shifted, MovesPositionAndWeightsTogether) {
   const Transform t = translation({3, 1, 2}) * rotation({1, 1, 0}, 0.7f) * scaling({2, -1, 0.5f});
   const Placed placed(t, false);

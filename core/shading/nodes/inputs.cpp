@@ -37,11 +37,17 @@ struct GeometryNode {
                   surface.mesh ? surface_tangent(surface, surface.shading_normal) : Vec3{});
     context.set(true_normal, surface.geometric_normal);
     context.set(incoming, surface.wo);
-    context.set(parametric, {1.0f - surface.u - surface.v, surface.u, 0.0f});
+    if (parametric.used()) context.set(parametric, parametric_of(surface));
     context.set(back_facing, surface.is_back_facing ? 1.0f : 0.0f);
     // Neither is known of a mesh here: what Blender gives a flat one in one piece.
     context.set(pointiness, 0.5f);
     context.set(random_per_island, surface.mesh ? uint_to_unit_closed(hash_uint(0)) : 0.0f);
+  }
+
+  static Vec3 parametric_of(const SurfaceInteraction& surface) {
+    const Vec2 weights = surface.mesh ? parametric_coordinates(surface)
+                                      : Vec2{1.0f - surface.u - surface.v, surface.u};
+    return {weights.x, weights.y, 0.0f};
   }
 };
 
