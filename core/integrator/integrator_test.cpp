@@ -51,7 +51,9 @@ TEST(Limits, RouletteSparesTheFirstBounces) {
   state.info.ray_depth = 3;
   EXPECT_EQ(survival_probability(state, limits), 1.0f);
   state.info.ray_depth = 4;
-  EXPECT_FLOAT_EQ(survival_probability(state, limits), 0.5f);
+  EXPECT_FLOAT_EQ(survival_probability(state, limits), 0.75f);
+  state.throughput = Spectrum(0.5f);
+  EXPECT_EQ(survival_probability(state, limits), 1.0f);
 }
 
 TEST(Mirror, GroupsPartTheLobesByEntry) {

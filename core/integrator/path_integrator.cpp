@@ -57,6 +57,7 @@ bool PathTracer::start(Vec2 raster) {
   if (!camera_ray) return false;
   state_.ray = camera_ray->ray;
   state_.cone = camera_ray->cone;
+  state_.length_before = -camera_ray->ray.t_min;
   state_.info.world = static_cast<WorldIndex>(settings_.start_world);
   return true;
 }
@@ -71,8 +72,8 @@ SampleResult PathTracer::trace(Vec2 raster) {
       add_background();
       break;
     }
-    const SurfaceInteraction at =
-        scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
+    SurfaceInteraction at = scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
+    at.t += state_.length_before;
     worker_.sampler.set_dimension(k_camera_dimensions + state_.vertices * k_dimensions_per_vertex);
     evaluate(at);
     if (apply_holdout(at)) break;
@@ -196,7 +197,8 @@ bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight, Wor
   state_.cone.radius = at.footprint;
   state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
   state_.ray.t_min = 0.0f;
-  state_.ray.t_max -= at.t;
+  state_.ray.t_max -= at.t - state_.length_before;
+  state_.length_before = at.t;
   return state_.ray.t_max > 0.0f;
 }
 
@@ -235,6 +237,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.direction = sample->wi;
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;
+  state_.length_before = 0.0f;
   return survives() && (!state_.ends_after_transparent || may_still_meet_light());
 }
 

@@ -31,8 +31,6 @@ struct PathState {
   bool is_specular_so_far = true;  // only deltas and transparent surfaces so far
   // A bounce limit is reached: only what passes through goes on.
   bool ends_after_transparent = false;
-  // Too many transparent surfaces: only the light of the next one still counts.
-  bool ends_at_next_surface = false;
   uint32_t vertices = 0;  // surfaces met, transparent ones included
 };
 
