@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Output settings, passes, view layers, visibility and limits, against Cycles or known values."""
+import itertools
 import math
 
 import bpy
@@ -360,6 +361,25 @@ class LimitTest(StillLife):
                 scene_factory.top_camera(self.scene, 5.0)
                 self.assert_agrees(str(limit), 8, 0.01, seeds=2, samples=128, resolution=(32, 32),
                                    max_noise=0.02, transparent_max_bounces=limit)
+
+    def test_transparent_limit_to_the_layer(self):
+        """Behind the last transparent surface light is seen, but nothing is lit any more."""
+        for limit, layers, lit in itertools.product((0, 2), (0, 1, 2), (False, True)):
+            with self.subTest(limit=limit, layers=limit + layers, lit=lit):
+                self.setUp()
+                clear = scene_factory.simple_material("ShaderNodeBsdfTransparent",
+                                                      Color=(1, 1, 1))
+                for i in range(limit + layers):
+                    scene_factory.plane(self.scene, 9.0, clear, location=(0, 0, 4 + 0.2 * i))
+                scene_factory.plane(self.scene, 9.0, scene_factory.diffuse() if lit
+                                    else scene_factory.emission())
+                if lit:
+                    scene_factory.lamp(self.scene, "SUN", 3.0, rotation=(10, 10, 0), angle=0.0)
+                # The camera of the lit scene is below the layers: they are in the lamp's way alone.
+                scene_factory.top_camera(self.scene, 0.1, height=2.0 if lit else 9.0)
+                tested, reference = self.both((4, 4), 4, transparent_max_bounces=limit,
+                                              max_bounces=0)
+                self.assert_exact(tested, reference)
 
     def test_clamping(self):
         """Clamped means depend on the samples' spread: alike where each sample is alike."""
