@@ -11,6 +11,11 @@ LAMP_ANGLES = (0.0, 30.0, 60.0, 80.0)
 
 class ClosureCase(RenderTestCase):
 
+    def ground(self, material):
+        """A plane whose diagonal is far from the spot seen: Cycles 3.4 takes a path that leaves a
+        triangle on its edge back to the neighbour, which adds up in glass."""
+        scene_factory.plane(self.scene, 100.0, material, location=(20, 7, 0))
+
     def view(self, angle):
         """A camera that sees a spot of the surface at `angle` degrees from its normal."""
         theta = math.radians(angle)
@@ -23,7 +28,7 @@ class ClosureCase(RenderTestCase):
         for angle in angles:
             with self.subTest(f"{name}, world, seen at {angle:g}"):
                 self.setUp()
-                scene_factory.plane(self.scene, 100.0, make_material())
+                self.ground(make_material())
                 scene_factory.set_world(self.scene, (0.7, 0.7, 0.7))
                 self.view(angle)
                 self.assert_agrees(f"{name} world {angle:g}", samples=samples, resolution=(16, 16),
@@ -36,7 +41,7 @@ class ClosureCase(RenderTestCase):
         for angle in angles:
             with self.subTest(f"{name}, sun from {angle:g}"):
                 self.setUp()
-                scene_factory.plane(self.scene, 100.0, make_material())
+                self.ground(make_material())
                 scene_factory.lamp(self.scene, "SUN", energy=3.0, angle=math.radians(size),
                                    rotation=(0, 180 + angle if behind else -angle, 25))
                 self.view(view)
@@ -89,7 +94,9 @@ class GlossyTest(ClosureCase):
             name = f"glossy {distribution} {roughness}"
             make = closure("ShaderNodeBsdfGlossy", {"distribution": distribution},
                            Color=(0.9, 0.6, 0.3), Roughness=roughness)
-            self.under_world(name, make)
+            # Cycles draws Beckmann slopes from a table, which brightens what it finds by sampling
+            # the closure alone, up to 0.7 %. Its closure's values are exactly ours: see the lamp.
+            self.under_world(name, make, relative=0.008 if distribution == "BECKMANN" else 0.003)
             if roughness >= 0.3:
                 self.under_lamp(name, make)
 
@@ -110,15 +117,20 @@ class TransmissionTest(ClosureCase):
                                 max_noise=0.02)
 
     def test_refraction(self):
+        """Where a facet can refract the light: within acos(1 / ior) of straight through.
+
+        Beyond, Cycles 3.4 adds the light of lamps off facets seen from behind; and where the bend is
+        towards the surface (ior < 1) its samples may leave above it, where its closure is black.
+        """
         for distribution, roughness, ior in (("SHARP", 0.0, 1.5), ("GGX", 0.4, 1.5),
                                              ("BECKMANN", 0.3, 1.3), ("GGX", 0.3, 0.8)):
             name = f"refraction {distribution} {roughness} ior {ior}"
             make = closure("ShaderNodeBsdfRefraction", {"distribution": distribution},
                            Color=(0.9, 0.7, 0.5), Roughness=roughness, IOR=ior)
-            self.under_world(name, make)
+            self.under_world(name, make, angles=VIEW_ANGLES if ior > 1.0 else (0.0, 45.0))
             self.on_sphere(name, make)
             if roughness:
-                self.under_lamp(name, make, samples=512, size=40.0, angles=(0.0, 60.0),
+                self.under_lamp(name, make, samples=512, size=25.0, angles=(15.0, 25.0),
                                 behind=True, max_noise=0.02)
 
     def test_glass_sphere_in_uniform_light_is_invisible(self):
@@ -190,6 +202,12 @@ class MixtureTest(ClosureCase):
         self.under_world("cut out", make)
         self.on_sphere("cut out", make)
 
+    def test_nothing_linked(self):
+        def nothing(nodes):
+            return nodes.add("NodeReroute")
+        self.under_world("nothing", lambda: scene_factory.node_material("m", nothing), samples=4,
+                         angles=(0.0,))
+
     def test_emission(self):
         make = closure("ShaderNodeEmission", Color=(0.9, 0.5, 0.2), Strength=3.0)
         self.under_world("emission", make, samples=4)
@@ -221,6 +239,8 @@ class PrincipledTest(ClosureCase):
         "tinted sheen": {"Sheen": 0.7, "Sheen_Tint": 1.0, "Roughness": 0.8},
         "clearcoat": {"Clearcoat": 1.0, "Clearcoat_Roughness": 0.3},
         "weak clearcoat": {"Clearcoat": 0.4, "Clearcoat_Roughness": 0.05, "Roughness": 0.7},
+        "sharp clearcoat": {"Clearcoat": 1.0, "Clearcoat_Roughness": 0.0},
+        "rough clearcoat": {"Clearcoat": 1.0, "Clearcoat_Roughness": 1.0},
         "transmission": {"Transmission": 1.0, "Roughness": 0.3, "IOR": 1.45},
         "rough transmission": {"Transmission": 1.0, "Roughness": 0.2,
                                "Transmission_Roughness": 0.4},
@@ -228,10 +248,21 @@ class PrincipledTest(ClosureCase):
         "sharp transmission": {"Transmission": 1.0, "Roughness": 0.0, "IOR": 1.3},
         "alpha": {"Alpha": 0.4},
         "emission": {"Emission": (0.2, 0.5, 0.1), "Emission_Strength": 2.0},
+        # Sheen would be one lobe more than Cycles has room for beside the rest.
         "everything": {"Metallic": 0.3, "Specular": 0.8, "Specular_Tint": 0.4, "Roughness": 0.4,
-                       "Sheen": 0.5, "Clearcoat": 0.6, "Clearcoat_Roughness": 0.2,
-                       "Transmission": 0.3, "Alpha": 0.9, "Emission": (0.1, 0.1, 0.2)},
+                       "Clearcoat": 0.6, "Clearcoat_Roughness": 0.2, "Transmission": 0.3,
+                       "Alpha": 0.9, "Emission": (0.1, 0.1, 0.2)},
+        "everything but coat": {"Metallic": 0.3, "Specular": 0.8, "Specular_Tint": 0.4,
+                                "Roughness": 0.4, "Sheen": 0.5, "Transmission": 0.3,
+                                "Emission": (0.1, 0.1, 0.2)},
     }
+
+    # Where Cycles 3.4 samples by another density than the one it divides by, only lamps show the
+    # closure's true values: clearcoat evaluates GTR1 but draws GGX facets (the same at both ends of
+    # the roughness, seen from the front), and a transparent part counts as a density of 1 beside
+    # rough refraction.
+    WORLD_ANGLES = {"clearcoat": (), "weak clearcoat": (), "rough clearcoat": (0.0,),
+                    "everything": ()}
 
     def make(self, settings, distribution="GGX"):
         return closure("ShaderNodeBsdfPrincipled", {"distribution": distribution},
@@ -241,11 +272,11 @@ class PrincipledTest(ClosureCase):
 def _principled_test(name, settings):
     def test(self):
         make = self.make(settings)
-        self.under_world(name, make, angles=(0.0, 60.0))
+        self.under_world(name, make, angles=self.WORLD_ANGLES.get(name, (0.0, 60.0)))
         if settings.get("Roughness", 0.5) >= 0.2:
             self.under_lamp(name, make, angles=(0.0, 50.0),
                             size=40.0 if "transmission" in name else 15.0)
-        if "transmission" in name or name in ("alpha", "everything"):
+        if "transmission" in name or name in ("alpha", "everything but coat"):
             self.on_sphere(name, make)
     return test
 
@@ -267,7 +298,10 @@ class NormalInputTest(ClosureCase):
                                ("ShaderNodeBsdfGlossy", {"distribution": "GGX"}),
                                ("ShaderNodeBsdfPrincipled", {"distribution": "GGX"})):
             make = build(kind, settings)
-            self.under_world(f"normal map on {kind}", make, angles=(0.0, 60.0))
+            # Cycles' samples of glossy lobes may leave below the bent normal's horizon, where its
+            # closure is black.
+            self.under_world(f"normal map on {kind}", make, angles=(0.0, 60.0),
+                             relative=0.025 if kind == "ShaderNodeBsdfGlossy" else 0.003)
             self.under_lamp(f"normal map on {kind}", make, angles=(0.0, 40.0), max_noise=0.02)
 
     def test_smooth_low_poly_sphere(self):
