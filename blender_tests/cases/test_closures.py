@@ -208,6 +208,17 @@ class MixtureTest(ClosureCase):
         self.under_world("nothing", lambda: scene_factory.node_material("m", nothing), samples=4,
                          angles=(0.0,))
 
+    def test_volume_without_surface_is_seen_through(self):
+        def make():
+            material = scene_factory.node_material(
+                "m", lambda nodes: nodes.add("ShaderNodeVolumeAbsorption", None, {"Density": 0.0}))
+            surface, = material.node_tree.links
+            volume = surface.to_node.inputs["Volume"]
+            material.node_tree.links.new(surface.from_socket, volume)
+            material.node_tree.links.remove(surface)
+            return material
+        self.under_world("volume", make, samples=4, angles=(0.0,))
+
     def test_emission(self):
         make = closure("ShaderNodeEmission", Color=(0.9, 0.5, 0.2), Strength=3.0)
         self.under_world("emission", make, samples=4)
@@ -259,8 +270,8 @@ class PrincipledTest(ClosureCase):
 
     # Where Cycles 3.4 samples by another density than the one it divides by, only lamps show the
     # closure's true values: clearcoat evaluates GTR1 but draws GGX facets (the same at both ends of
-    # the roughness, seen from the front), and a transparent part counts as a density of 1 beside
-    # rough refraction.
+    # the roughness, seen from the front), for an eighth of the first hit's samples at least; and a
+    # transparent part counts as a density of 1 beside rough refraction.
     WORLD_ANGLES = {"clearcoat": (), "weak clearcoat": (), "rough clearcoat": (0.0,),
                     "everything": ()}
 

@@ -9,6 +9,8 @@ namespace {
 
 // What stands in for a shader that the engine does not know: Blender's default surface.
 constexpr const char* k_stand_in_shader = "ShaderNodeBsdfDiffuse";
+// What a surface is that only bounds a volume.
+constexpr const char* k_pass_through_shader = "ShaderNodeBsdfTransparent";
 
 // Reads the graph from its output backwards, so that what nobody needs is neither kept nor
 // reported.
@@ -21,7 +23,7 @@ class IrBuilder {
         ids_(graph.nodes.size(), k_unvisited),
         links_to_(graph.nodes.size()) {}
 
-  ShaderIr build() {
+  ShaderIr build(ShaderDomain domain) {
     index_links();
     ir_.regions.emplace_back();
     if (graph_.output < 0 || static_cast<size_t>(graph_.output) >= graph_.nodes.size())
@@ -33,6 +35,7 @@ class IrBuilder {
       for (size_t link : links_to_[node])
         resolve(graph_.links[link]);
     }
+    if (domain == ShaderDomain::surface && ir_.has_volume && !ir_.has_surface) pass_through();
     return std::move(ir_);
   }
 
@@ -120,6 +123,14 @@ class IrBuilder {
     return {stand_in_, 0};
   }
 
+  void pass_through() {
+    const NodeType* type = registry_.find(k_pass_through_shader);
+    if (!type) return;
+    const std::vector<InputInfo>& inputs = ir_.at(ir_.output).type->inputs;
+    for (size_t i = 0; i < inputs.size(); ++i)
+      if (inputs[i].identifier == "Surface") ir_.link(ir_.output, i, {ir_.add(*type), 0});
+  }
+
   const NodeGraph& graph_;
   const CompileContext& context_;
   const NodeRegistry& registry_;
@@ -135,7 +146,7 @@ class IrBuilder {
 
 ShaderIr build_ir(const MaterialSource& source, const CompileContext& context) {
   static const NodeGraph empty;
-  return IrBuilder(source.graph ? *source.graph : empty, context).build();
+  return IrBuilder(source.graph ? *source.graph : empty, context).build(source.domain);
 }
 
 void break_cycles(ShaderIr& ir, const CompileContext& context) {

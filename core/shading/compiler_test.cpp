@@ -276,6 +276,8 @@ TEST(Compiler, KnowsAVolumeWithoutSurface) {
     v: ShaderNodeBsdfDiffuse
     out: ShaderNodeOutputMaterial Volume<v.BSDF)");
   EXPECT_FALSE(m.material.has_surface);
+  EXPECT_TRUE(m.material.is_transparent);  // seen through, as long as volumes are left out
+  EXPECT_FALSE(m.material.scatters);
 }
 
 TEST(Compiler, WorldsOnlyEmit) {
