@@ -16,7 +16,7 @@ constexpr int k_last_dream = 4;
 void bind_mesh(py::module_& module) {
   Fields<AttributeDesc>(module, "AttributeDesc", "Values of an attribute: (elements, channels).")
       .field("name", &AttributeDesc::name)
-      .choice("domain", {"POINT", "CORNER", "FACE"}, &AttributeDesc::domain)
+      .choice("domain", {"POINT", "EDGE", "CORNER", "FACE"}, &AttributeDesc::domain)
       .ranged("channels", 1, 4, &AttributeDesc::channels)
       .field("data", &AttributeDesc::data);
   Fields<MeshDesc>(module, "MeshDesc", "A mesh in object space, with Blender's triangulation.")
@@ -30,6 +30,7 @@ void bind_mesh(py::module_& module) {
       .optional("smooth_flags", &MeshDesc::smooth_flags)
       .optional("vertex_normals", &MeshDesc::vertex_normals)
       .optional("corner_normals", &MeshDesc::corner_normals)
+      .optional("edge_vertices", &MeshDesc::edge_vertices)
       .field("attributes", &MeshDesc::attributes)
       .field("texture_space_location", &MeshDesc::texture_space_location)
       .field("texture_space_size", &MeshDesc::texture_space_size);

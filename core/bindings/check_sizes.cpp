@@ -37,11 +37,14 @@ void check_sizes(const MeshDesc& mesh) {
   check_size(mesh.smooth_flags, polygons, field("smooth_flags"));
   check_size(mesh.vertex_normals, vertices * 3, field("vertex_normals"));
   check_size(mesh.corner_normals, corners * 3, field("corner_normals"));
+  const size_t edges =
+      mesh.edge_vertices ? size_of_required(mesh.edge_vertices, field("edge_vertices"), 2) / 2 : 0;
   for (const AttributeDesc& attribute : mesh.attributes) {
     const std::string name = "data ('" + attribute.name + "')";
     const FieldName data{"AttributeDesc", name};
     size_of_required(attribute.data, data);
     const size_t elements = attribute.domain == "POINT"    ? vertices
+                            : attribute.domain == "EDGE"   ? edges
                             : attribute.domain == "CORNER" ? corners
                                                            : polygons;
     if (attribute.domain.empty()) throw_value_error({"AttributeDesc", "domain"}, "is missing");

@@ -4,7 +4,10 @@
 
 #include <set>
 
+#include "geometry/connectivity.h"
+#include "math/hash.h"
 #include "scene/compile_scene.h"
+#include "shading/nodes/attribute_names.h"
 
 namespace tenniel {
 
@@ -45,6 +48,29 @@ size_t element_count(const MeshDesc& desc, AttributeDomain domain) {
       return desc.polygon_starts ? desc.polygon_starts->size() : 0;
   }
   return 0;
+}
+
+// Meshes keep no edges: what lies on them goes to the vertices.
+void move_edge_values(MeshDesc& desc) {
+  for (AttributeDesc& a : desc.attributes) {
+    if (a.domain != "EDGE" || !a.data || !desc.edge_vertices) continue;
+    a.domain = "POINT";
+    a.data = std::make_shared<std::vector<float>>(edges_to_vertices(
+        desc.positions->size() / 3, *desc.edge_vertices, *a.data, static_cast<size_t>(a.channels)));
+  }
+}
+
+void add_islands(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids) {
+  if (!desc.edge_vertices || ids.find(k_random_per_island) == AttributeIds::k_none) return;
+  const auto parts = connected_parts(mesh.positions.size(), *desc.edge_vertices);
+  std::vector<float> values(element_count(desc, AttributeDomain::face), 0.0f);
+  for (size_t polygon = 0; polygon < values.size(); ++polygon) {
+    const auto corner = static_cast<size_t>((*desc.polygon_starts)[polygon]);
+    if (corner >= desc.corner_vertices->size()) continue;
+    const uint32_t vertex = (*desc.corner_vertices)[corner];
+    if (vertex < parts.size()) values[polygon] = uint_to_unit_closed(hash_uint(parts[vertex]));
+  }
+  mesh.attributes.push_back({k_random_per_island, AttributeDomain::face, 1, std::move(values)});
 }
 
 // Keeps the attributes that some program asks for.
@@ -172,7 +198,9 @@ void SceneCompiler::compile_geometry() {
     if (is_cancelled() || users[i] == 0) return;
     Mesh& mesh = scene.meshes[i];
     mesh = mesh_from(meshes[i]);
+    move_edge_values(meshes[i]);
     add_attributes(mesh, meshes[i], attributes, diagnostics);
+    add_islands(mesh, meshes[i], attributes);
     make_tangents(mesh, tangents[i]);
     index_attributes(mesh, attributes);
     if (mesh.dropped_faces > 0)

@@ -26,7 +26,7 @@ constexpr Matrix34 k_identity34 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 struct AttributeDesc {
   std::string
       name;  // "" = active UV map, "\x01color" = active colour attribute, else as in Blender
-  std::string domain;  // "POINT", "CORNER" or "FACE"
+  std::string domain;  // "POINT", "EDGE", "CORNER" or "FACE"
   int channels = 3;    // floats per element: 1, 2, 3 or 4
   Buffer<float> data;  // (elements, channels)
 };
@@ -42,6 +42,8 @@ struct MeshDesc {
   Buffer<uint8_t> smooth_flags;       // (polygons) or none
   Buffer<float> vertex_normals;       // (vertices, 3) or none
   Buffer<float> corner_normals;       // (corners, 3) or none
+  // (edges, 2) where a shader asks for attributes of edges or for Random Per Island, else none
+  Buffer<uint32_t> edge_vertices;
   std::vector<AttributeDesc> attributes;
   std::array<float, 3> texture_space_location{0, 0, 0};
   std::array<float, 3> texture_space_size{1, 1, 1};

@@ -10,6 +10,7 @@ from .. import mirror_tags, reports
 ACTIVE_UV = ''
 ACTIVE_COLOR = '\x01color'
 GENERATED = '\x01generated'
+ISLAND = '\x01island'
 
 # Bits of `ray_kinds`, in the core's order, by the object flag that switches them.
 RAY_KIND_FLAGS = ('visible_camera', 'visible_diffuse', 'visible_glossy', 'visible_transmission',

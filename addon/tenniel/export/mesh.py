@@ -8,7 +8,7 @@ Blender's own arrays: any other type makes the call about ten times slower.
 from array import array
 
 from . import compat
-from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED
+from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND
 
 # Data type of an attribute -> (property of its elements, channels, whether it holds floats).
 _ATTRIBUTE_TYPES = {
@@ -21,7 +21,7 @@ _ATTRIBUTE_TYPES = {
     'FLOAT_COLOR': ('color', 4, True),
     'BYTE_COLOR': ('color', 4, True),
 }
-_DOMAINS = {'POINT', 'CORNER', 'FACE'}
+_DOMAINS = {'POINT', 'EDGE', 'CORNER', 'FACE'}
 
 NO_MESH = -1
 
@@ -56,6 +56,8 @@ def _describe(context, mesh, original, attribute_names, has_slots):
                                         mesh.polygons, 'material_index')
     _set_normals(core, desc, mesh)
     desc.attributes = _attributes(core, mesh, original, attribute_names)
+    if ISLAND in attribute_names or any(a.domain == 'EDGE' for a in desc.attributes):
+        desc.edge_vertices = _filled(core.UIntBuffer(2 * len(mesh.edges)), mesh.edges, 'vertices')
     # Modifiers leave it as it was, but the mesh they make may have lost it.
     source = original or mesh
     desc.texture_space_location = tuple(source.texspace_location)
@@ -95,7 +97,7 @@ def _set_normals(core, desc, mesh):
 
 def _attributes(core, mesh, original, names):
     found = []
-    for name in sorted(names):
+    for name in sorted(names - {ISLAND}):
         if name == GENERATED:
             desc = _undeformed(core, mesh, original)
         else:

@@ -10,7 +10,7 @@ from typing import Set
 
 from mathutils import Matrix
 
-from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, matrix_rows
+from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND, matrix_rows
 from .image import export_image
 
 # Entries of ramp and curve tables, as in Cycles.
@@ -159,6 +159,14 @@ def _texture_coordinate(context, node, needs, _report):
     return {'object_transform': matrix_rows(world.inverted_safe())}
 
 
+def _geometry(_context, node, needs, report):
+    if node.outputs['Random Per Island'].is_linked:
+        needs.attributes.add(ISLAND)
+    if node.outputs['Pointiness'].is_linked:
+        report("Pointiness is not supported; it is that of a flat surface")
+    return {}
+
+
 def _uv_map(_context, node, needs, _report):
     needs.attributes.add(node.uv_map)
     return {'uv_map': node.uv_map}
@@ -196,6 +204,7 @@ _READERS = {
     'ShaderNodeVectorCurve': _vector_curves,
     'ShaderNodeFloatCurve': _float_curve,
     'ShaderNodeTexCoord': _texture_coordinate,
+    'ShaderNodeNewGeometry': _geometry,
     'ShaderNodeUVMap': _uv_map,
     'ShaderNodeNormalMap': _uv_map,
     'ShaderNodeTangent': _tangent,

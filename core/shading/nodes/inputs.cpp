@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bsdf/fresnel.h"
-#include "math/hash.h"
 #include "shading/node_type.h"
+#include "shading/nodes/attribute_names.h"
 #include "shading/nodes/attributes.h"
 #include "shading/nodes/layer_weight.h"
 #include "shading/nodes/register.h"
@@ -27,6 +27,7 @@ struct ValueNode {
 struct GeometryNode {
   Output<Vec3> position, normal, tangent, true_normal, incoming, parametric;
   Output<float> back_facing, pointiness, random_per_island;
+  AttributeSlot island{k_random_per_island};
 
   void eval(ShadingContext& context) const {
     const SurfaceInteraction& surface = context.surface;
@@ -39,9 +40,12 @@ struct GeometryNode {
     context.set(incoming, surface.wo);
     if (parametric.used()) context.set(parametric, parametric_of(surface));
     context.set(back_facing, surface.is_back_facing ? 1.0f : 0.0f);
-    // Neither is known of a mesh here: what Blender gives a flat one in one piece.
+    // Not known of a mesh here: what Blender gives a flat one.
     context.set(pointiness, 0.5f);
-    context.set(random_per_island, surface.mesh ? uint_to_unit_closed(hash_uint(0)) : 0.0f);
+    if (random_per_island.used()) {
+      const auto value = mesh_attribute(context, island.id);
+      context.set(random_per_island, value ? (*value)[0] : 0.0f);
+    }
   }
 
   static Vec3 parametric_of(const SurfaceInteraction& surface) {
@@ -181,6 +185,7 @@ void register_geometry(NodeRegistry& registry) {
       .output("Backfacing", &GeometryNode::back_facing)
       .output("Pointiness", &GeometryNode::pointiness)
       .output("Random Per Island", &GeometryNode::random_per_island)
+      .setting("island", &GeometryNode::island)
       .varying();
   registry.add<ObjectInfoNode>("ShaderNodeObjectInfo")
       .output("Location", &ObjectInfoNode::location)
