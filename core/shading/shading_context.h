@@ -23,6 +23,14 @@ enum ShaderQuery : uint8_t {
 
 enum class ShaderDomain : uint8_t { surface, world, lamp };
 
+// More than this, summed over samples, may leave the range of float.
+constexpr float k_max_emission = 1e30f;
+// Whether a picture can hold it; NaN is not.
+constexpr bool is_usable_emission(Spectrum e) {
+  const auto fits = [](float x) { return x <= k_max_emission && x >= -k_max_emission; };
+  return fits(e.r) && fits(e.g) && fits(e.b);
+}
+
 // What the Light Path node may ask about the path that came here.
 struct PathInfo {
   RayKind kind = RayKind::camera;  // shadow: evaluated for a shadow ray
@@ -100,6 +108,10 @@ class ShadingContext {
   }
   float read_register(RegisterIndex index) const { return registers_[static_cast<size_t>(index)]; }
 
+  // What a picture cannot hold adds nothing.
+  void add_emission(Spectrum radiance) {
+    if (is_usable_emission(radiance)) emission += radiance;
+  }
   // Clears the results and turns `surface` into the start of an evaluation.
   void begin(uint8_t wanted_query);
   // Makes `normal` (unit) the shading normal of all that follows; before the first lobe only.

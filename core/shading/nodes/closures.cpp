@@ -19,6 +19,14 @@ bool may_be_seen(const Input<Spectrum>& color, const Input<float>& strength) {
          (strength.linked() || strength.value != 0.0f);
 }
 
+// A sentence where constants alone make the emission unusable.
+const char* emission_note(const Input<Spectrum>& color, const Input<float>& strength) {
+  const Spectrum constant =
+      (color.linked() ? Spectrum(1.0f) : color.value) * (strength.linked() ? 1.0f : strength.value);
+  return is_usable_emission(constant) ? nullptr
+                                      : "its strength is not a usable number; it emits nothing";
+}
+
 Microsurface microsurface(GlossyDistribution distribution, float alpha_x, float alpha_y) {
   return {distribution == GlossyDistribution::beckmann ? MicrofacetDistribution::beckmann
                                                        : MicrofacetDistribution::ggx,
@@ -102,19 +110,27 @@ uint8_t TransparentNode::closure_parts() const {
 }
 
 void EmissionNode::eval(ShadingContext& context) const {
-  context.emission += context.get(color) * (context.get(strength) * context.get(weight));
+  context.add_emission(context.get(color) * (context.get(strength) * context.get(weight)));
 }
 
 uint8_t EmissionNode::closure_parts() const {
   return may_be_seen(color, strength) ? k_query_emission : 0;
 }
 
+const char* EmissionNode::note() const {
+  return emission_note(color, strength);
+}
+
 void BackgroundNode::eval(ShadingContext& context) const {
-  context.emission += context.get(color) * (context.get(strength) * context.get(weight));
+  context.add_emission(context.get(color) * (context.get(strength) * context.get(weight)));
 }
 
 uint8_t BackgroundNode::closure_parts() const {
   return may_be_seen(color, strength) ? k_query_emission : 0;
+}
+
+const char* BackgroundNode::note() const {
+  return emission_note(color, strength);
 }
 
 void HoldoutNode::eval(ShadingContext& context) const {

@@ -89,6 +89,7 @@ struct EmissionNode {
   Input<float> strength{1.0f};
   void eval(ShadingContext& context) const;
   uint8_t closure_parts() const;
+  const char* note() const;
 };
 
 struct BackgroundNode {
@@ -97,6 +98,7 @@ struct BackgroundNode {
   Input<float> strength{1.0f};
   void eval(ShadingContext& context) const;
   uint8_t closure_parts() const;
+  const char* note() const;
 };
 
 struct HoldoutNode {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "bsdf/fresnel.h"
 #include "math/numeric.h"
@@ -70,6 +71,22 @@ TEST(Closures, RefractionBendsBySnell) {
   ASSERT_TRUE(sample);
   EXPECT_NEAR(sample->wi.x, -0.6f / 1.5f, 1e-5f);
   EXPECT_LT(sample->wi.z, 0.0f);
+}
+
+TEST(Closures, EmissionThatNoPictureCanHoldIsDropped) {
+  for (const float strength :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 3e38f}) {
+    ShadingContext context = context_toward(k_slanted);
+    EmissionNode light;
+    light.weight.value = 1.0f;
+    light.strength.value = strength;
+    light.eval(context);
+    EXPECT_EQ(context.emission, Spectrum());
+    EXPECT_NE(light.note(), nullptr);
+  }
+  EmissionNode bright;
+  bright.strength.value = k_max_emission;
+  EXPECT_EQ(bright.note(), nullptr);
 }
 
 TEST(Closures, TransparencyEmissionAndHoldoutGoToTheContext) {

@@ -70,7 +70,7 @@ void PrincipledV1Node::eval(ShadingContext& context) const {
   if (context.query & k_query_transparency)
     context.transparency += Spectrum(context.get(weight) - opacity);
   if (context.query & k_query_emission)
-    context.emission += context.get(emission) * (context.get(emission_strength) * opacity);
+    context.add_emission(context.get(emission) * (context.get(emission_strength) * opacity));
   if ((context.query & k_query_scatter) && opacity > 0.0f) scatter(context, opacity);
 }
 
