@@ -75,6 +75,22 @@ class GeometryParityTest(ParityCase):
                 shapes = (None,) if jumps_at_edges else (None, sphere_patch)
                 self.check_field(self.field_of("ShaderNodeNewGeometry", [output], shapes=shapes))
 
+    def test_random_of_several_islands(self):
+        """Hidden parts before the one that shows move its number."""
+        grid = FieldGrid(self.scene)
+        for hidden in range(4):
+            vertices, faces = [], []
+            for part in range(hidden + 1):
+                size, height = (0.7, 0.0) if part == hidden else (0.1, -0.1 * (part + 1))
+                faces.append(tuple(range(4 * part, 4 * part + 4)))
+                vertices += [(x * size, y * size, height)
+                             for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+            material = emission_of("island", lambda n: n.add(
+                "ShaderNodeNewGeometry").outputs["Random Per Island"])
+            grid.add(f"{hidden} hidden", material,
+                     scene_factory.mesh("Islands", vertices, faces))
+        self.check_field(grid)
+
     def test_incoming_in_perspective(self):
         material = emission_of("incoming", lambda n: n.add(
             "ShaderNodeNewGeometry").outputs["Incoming"])

@@ -6,7 +6,7 @@ import bpy
 
 from support.node_variants import TEXTURE_MAPPINGS, Variant
 from support.parity import TILTED, ParityCase, pattern_image
-from support.tile_grid import TileGrid, emission_of, enum_items
+from support.tile_grid import TOLERANCE, TileGrid, emission_of, enum_items
 
 
 class ImageParityTest(ParityCase):
@@ -49,11 +49,19 @@ class ImageParityTest(ParityCase):
         self.check_grid(grid)
 
     def test_color_space_and_alpha_mode(self):
+        # Both engines keep converted images as halves (2 ** -11 = 5e-4 of the value), and a last
+        # bit of the matrix of a wide gamut decides where a half rounds to.
+        wide = {"Linear ACES", "Linear ACEScg", "XYZ"}
+        self.check_spaces(lambda space: space not in wide)
+        self.setUp()
+        self.check_spaces(lambda space: space in wide, 1e-3)
+
+    def check_spaces(self, wanted, tolerance=TOLERANCE):
         grid = TileGrid(self.scene)
         spaces = [item.identifier for item in
                   bpy.types.ColorManagedInputColorspaceSettings.bl_rna.properties["name"].enum_items
-                  if "Filmic" not in item.identifier]
-        self.assertIn("Non-Color", spaces)
+                  if "Filmic" not in item.identifier and wanted(item.identifier)]
+        self.assertTrue(spaces)
         modes = ("STRAIGHT", "PREMUL", "CHANNEL_PACKED", "NONE")
         for space, mode, as_float in itertools.product(spaces, modes, (False, True)):
             image = pattern_image(f"{space} {mode} {as_float}", 4, 4, float_buffer=as_float,
@@ -63,7 +71,7 @@ class ImageParityTest(ParityCase):
             for output in ("Color", "Alpha"):
                 Variant("ShaderNodeTexImage", {"image": image}, self.vectors()[:3],
                         output).add_to(grid)
-        self.check_grid(grid)
+        self.check_grid(grid, tolerance)
 
     def test_alpha_linked_unpremultiplies(self):
         """With the Alpha output in use the colour is divided by it."""

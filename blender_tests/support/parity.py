@@ -2,6 +2,7 @@
 """ParityCase: assertions over grids of tiles, and what several parity tests share."""
 from . import scene_factory
 from .case import RenderTestCase
+from .tile_grid import TOLERANCE
 
 SHOWN_FAILURES = 12
 
@@ -16,9 +17,9 @@ class ParityCase(RenderTestCase):
             shown = "\n".join(failures[:SHOWN_FAILURES])
             self.fail(f"{len(failures)} of {count} differ:\n{shown}")
 
-    def check_grid(self, grid):
+    def check_grid(self, grid, tolerance=TOLERANCE):
         self.assertTrue(grid.tiles)
-        self.assert_same(grid.compare(), len(grid.tiles))
+        self.assert_same(grid.compare(tolerance), len(grid.tiles))
 
     def check_field(self, grid, tolerance=1e-4):
         self.assertTrue(grid.objects)

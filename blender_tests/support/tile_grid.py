@@ -98,13 +98,14 @@ class TileGrid:
         return [picture.pixel(*centre_pixel(i, len(self.tiles)))[:3]
                 for i in range(len(self.tiles))]
 
-    def compare(self):
+    def compare(self, tolerance=TOLERANCE):
         """Render with both engines; returns a list of texts, one for each tile that differs."""
         resolution = self.build()
         tested = self.values(TESTED_ENGINE, resolution)
         reference = self.values(REFERENCE_ENGINE, resolution)
         return [mismatch(tile.label, t, r)
-                for tile, t, r in zip(self.tiles, tested, reference) if not agree(t, r)]
+                for tile, t, r in zip(self.tiles, tested, reference)
+                if not agree(t, r, tolerance=tolerance)]
 
 
 class FieldGrid:
