@@ -35,6 +35,7 @@ constexpr bool is_usable_emission(Spectrum e) {
 struct PathInfo {
   RayKind kind = RayKind::camera;  // shadow: evaluated for a shadow ray
   WorldIndex world = 0;
+  bool is_light_sample = false;  // emission asked for by next-event estimation: no ray came here
   bool is_singular = false;    // the last bounce was a delta
   bool is_reflection = false;  // the last bounce reflected
   int ray_depth = 0, diffuse_depth = 0, glossy_depth = 0, transmission_depth = 0;

@@ -263,6 +263,21 @@ TEST(LightPathNode, ShadowRaysAreNothingElseAndOneBounceOn) {
   EXPECT_EQ(node.number("Ray Depth"), 2.0f);
 }
 
+TEST(LightPathNode, SampledLightIsMetByNoRay) {
+  NodeRun node("ShaderNodeLightPath");
+  PathInfo& path = node.context.path;
+  path.is_light_sample = path.is_reflection = path.is_singular = true;
+  path.ray_depth = 1;
+  for (const RayKind kind : {RayKind::camera, RayKind::diffuse, RayKind::glossy,
+                             RayKind::transmission, RayKind::shadow}) {
+    path.kind = kind;
+    node.run();
+    for (const char* name : {"Is Camera Ray", "Is Shadow Ray", "Is Diffuse Ray", "Is Glossy Ray",
+                             "Is Transmission Ray", "Is Reflection Ray", "Is Singular Ray"})
+      EXPECT_EQ(node.number(name), 0.0f) << name;
+  }
+}
+
 TEST(FresnelNode, InvertsTheIndexFromInside) {
   const Scene scene;
   NodeRun node("ShaderNodeFresnel");

@@ -101,7 +101,8 @@ struct TangentNode {
   }
 };
 
-// A shadow ray is none of the kinds of the path it belongs to, only itself.
+// A shadow ray is none of the kinds of the path it belongs to, only itself; light that is sampled is
+// met by no ray of any kind.
 struct LightPathNode {
   Output<float> is_camera, is_shadow, is_diffuse, is_glossy, is_singular, is_reflection;
   Output<float> is_transmission, ray_length, ray_depth, diffuse_depth, glossy_depth;
@@ -109,8 +110,9 @@ struct LightPathNode {
 
   void eval(ShadingContext& context) const {
     const PathInfo& path = context.path;
+    const bool has_ray = !path.is_light_sample;
     const auto flag = [&](const Output<float>& output, bool condition) {
-      context.set(output, condition ? 1.0f : 0.0f);
+      context.set(output, has_ray && condition ? 1.0f : 0.0f);
     };
     const bool shadow = path.kind == RayKind::shadow;
     const bool transmitted = path.kind == RayKind::transmission;
