@@ -69,14 +69,6 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
   return sample;
 }
 
-// A shadow ray is worth its time where the light behind it would show: one that adds little to what
-// the path has found already is sent in proportion.
-float shadow_ray_probability(const PathState& state, Spectrum unshadowed) {
-  constexpr float k_visible_share = 0.1f;
-  const float added = mean(state.throughput * unshadowed);
-  return std::min(added / (k_visible_share * state.gathered + 1e-30f), 1.0f);
-}
-
 }  // namespace
 
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
@@ -140,11 +132,6 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
 
   const SurfaceInteraction& at = worker.surface.surface;
   if (light.casts_shadow) {
-    const float chance = shadow_ray_probability(state, result);
-    if (chance < 1.0f) {
-      if (worker.sampler.get_1d() >= chance) return {};
-      result *= 1.0f / chance;
-    }
     Ray ray;
     ray.origin = offset_ray_origin(at, sample->wi);
     ray.direction = sample->wi;

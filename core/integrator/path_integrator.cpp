@@ -12,7 +12,7 @@ namespace {
 
 // Requests to the sampler per path vertex: two light samples of three, a lobe, a direction,
 // roulette.
-constexpr uint32_t k_dimensions_per_vertex = 12;
+constexpr uint32_t k_dimensions_per_vertex = 8;
 constexpr uint32_t k_camera_dimensions = 8;
 // A path that only passes through surfaces ends here whatever the settings say.
 constexpr uint32_t k_max_vertices = 1024;
@@ -91,9 +91,7 @@ SampleResult PathTracer::trace(Vec2 raster) {
 }
 
 void PathTracer::add(Spectrum radiance, int bounces) {
-  const Spectrum found = clamped(state_.throughput * radiance, bounces, settings_);
-  result_.radiance += found;
-  state_.gathered += mean(found);
+  result_.radiance += clamped(state_.throughput * radiance, bounces, settings_);
 }
 
 // Light met by chance counts as the bounce before it did.

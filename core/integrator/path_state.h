@@ -16,7 +16,6 @@ struct PathState {
   Ray ray;
   RayCone cone;
   Spectrum throughput{1.0f};
-  float gathered = 0.0f;  // mean of the radiance that the path has found so far
   PathInfo info;
   // The last vertex that scattered, for the weight of light met by chance. `pdf` 0: no light sample
   // could have made this segment (camera ray, or a delta lobe).
