@@ -117,6 +117,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
   PathInfo path = state.info;
   path.world = group.world;
   ++path.ray_depth;
+  path.is_light_sample = true;
   const auto sample = sample_light(scene, light, point, path, u, worker.light);
   if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
 
@@ -135,8 +136,14 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
     Ray ray;
     ray.origin = offset_ray_origin(at, sample->wi);
     ray.direction = sample->wi;
-    // Short of the light, so that an emissive mesh does not shadow itself.
-    ray.t_max = sample->distance * (1.0f - 1e-4f);
+    if (sample->distance < k_infinity) {
+      // To the very point that was sampled: seen at a slant, the lamp itself would come between.
+      const Vec3 to_light = point.position + sample->wi * sample->distance - ray.origin;
+      const float distance = length(to_light);
+      ray.direction = to_light / distance;
+      // Short of the light, so that an emissive mesh does not shadow itself.
+      ray.t_max = distance * (1.0f - 1e-4f);
+    }
     ray.time = state.ray.time;
     result *= transmittance(scene, settings, ray, group.world, state.info, worker.light);
   }
