@@ -153,8 +153,8 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   s.wi = chosen->frame.to_world(local->wi);
   s.lobe_class = chosen->lobe_class;
   s.is_delta = chosen->is_delta;
-  s.is_diffuse = chosen->lobe_class == LobeClass::diffuse ||
-                 std::holds_alternative<Translucent>(chosen->lobe);
+  s.is_diffuse =
+      chosen->lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(chosen->lobe);
   if (s.lobe_class == LobeClass::transparent) s.wi = -wo_;
   if (!reaches(s.lobe_class, s.wi)) return std::nullopt;
   s.roughness = std::visit([](const auto& l) { return l.roughness(); }, chosen->lobe);

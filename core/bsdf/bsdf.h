@@ -31,7 +31,7 @@ struct BsdfSample {
   LobeClass lobe_class = LobeClass::diffuse;
   bool is_delta = false;
   bool is_diffuse = false;  // reflected or transmitted by a diffuse lobe
-  float roughness = 0.0f;  // alpha of the lobe; 1 for diffuse ones
+  float roughness = 0.0f;   // alpha of the lobe; 1 for diffuse ones
 };
 
 // The weighted lobes of one surface point. Lives on the worker's stack; nothing is allocated.

@@ -11,7 +11,7 @@ enum class PassId : unsigned char { combined, depth, normal };
 // One table for the film, the bindings and the add-on.
 struct PassInfo {
   PassId id;
-  std::string_view name;         // Blender's name of the pass
+  std::string_view name;  // Blender's name of the pass
   int channels;
   std::string_view channel_ids;  // Blender's letters
   bool is_averaged;              // false: holds what the first sample wrote

@@ -36,8 +36,8 @@ struct PathInfo {
   RayKind kind = RayKind::camera;  // shadow: evaluated for a shadow ray
   WorldIndex world = 0;
   bool is_light_sample = false;  // emission asked for by next-event estimation: no ray came here
-  bool is_singular = false;    // the last bounce was a delta
-  bool is_reflection = false;  // the last bounce reflected
+  bool is_singular = false;      // the last bounce was a delta
+  bool is_reflection = false;    // the last bounce reflected
   int ray_depth = 0, diffuse_depth = 0, glossy_depth = 0, transmission_depth = 0;
   int transparent_depth = 0;
   bool is_diffuse = false;  // the last bounce was diffuse, off the surface or through it

@@ -101,8 +101,8 @@ struct TangentNode {
   }
 };
 
-// A shadow ray is none of the kinds of the path it belongs to, only itself; light that is sampled is
-// met by no ray of any kind.
+// A shadow ray is none of the kinds of the path it belongs to, only itself; light that is sampled
+// is met by no ray of any kind.
 struct LightPathNode {
   Output<float> is_camera, is_shadow, is_diffuse, is_glossy, is_singular, is_reflection;
   Output<float> is_transmission, ray_length, ray_depth, diffuse_depth, glossy_depth;
