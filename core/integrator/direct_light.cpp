@@ -53,14 +53,7 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
     return sample_mesh_light(scene, *mesh, point, path, u, scratch);
   if (const auto* environment = light.as<EnvironmentLight>())
     return sample_environment(scene, *environment, point, path, u, scratch);
-  auto sample = std::visit(
-      [&](const auto& lamp) -> std::optional<LightSample> {
-        if constexpr (requires { lamp.intersect(Ray()); })
-          return lamp.sample(point, u);
-        else
-          return {};
-      },
-      light.shape);
+  auto sample = sample_lamp(light, point, u);
   if (sample && light.material) {
     const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
     sample->radiance *=

@@ -34,7 +34,7 @@ class PathTracer {
   void add_lamps(float t_max);
   void add_background();
   void add_emission(const SurfaceInteraction& at);
-  const Material& evaluate(const SurfaceInteraction& at);
+  void evaluate(const SurfaceInteraction& at);
   bool apply_holdout(const SurfaceInteraction& at);
   void record_first_surface(const SurfaceInteraction& at);
   bool survives();
@@ -114,7 +114,7 @@ void PathTracer::add_background() {
   add(radiance * background_weight(scene_, state_), state_.info.ray_depth - 1);
 }
 
-const Material& PathTracer::evaluate(const SurfaceInteraction& at) {
+void PathTracer::evaluate(const SurfaceInteraction& at) {
   const Material& material = scene_.material_at(at, state_.info.world);
   ShadingContext& context = worker_.surface;
   context.surface = at;
@@ -125,7 +125,7 @@ const Material& PathTracer::evaluate(const SurfaceInteraction& at) {
   context.begin(state_.ends_after_transparent ? k_query_emission | k_query_transparency
                                               : k_query_surface);
   material.surface.run(context);
-  if (state_.ends_after_transparent) return material;
+  if (state_.ends_after_transparent) return;
 
   Bsdf& bsdf = context.bsdf;
   bsdf.add(Transparent(), context.transparency, at.geometric_normal);
@@ -134,7 +134,6 @@ const Material& PathTracer::evaluate(const SurfaceInteraction& at) {
   bsdf.finish();
   const float alpha = filter_glossy_alpha(state_.min_pdf, settings_);
   if (alpha > 0.0f) bsdf.widen(alpha);
-  return material;
 }
 
 // What is held out leaves a hole in the film. True when nothing is left of the path.

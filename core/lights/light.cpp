@@ -54,6 +54,15 @@ bool is_hittable(const Light& light) {
                     light.shape);
 }
 
+std::optional<LightSample> sample_lamp(const Light& light, const ShadingPoint& point, Vec2 u) {
+  return std::visit(Overloaded{
+                        [](const MeshLight&) { return std::optional<LightSample>(); },
+                        [](const EnvironmentLight&) { return std::optional<LightSample>(); },
+                        [&](const auto& lamp) { return lamp.sample(point, u); },
+                    },
+                    light.shape);
+}
+
 std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray) {
   return std::visit(Overloaded{
                         [](const MeshLight&) { return std::optional<LampHit>(); },

@@ -37,6 +37,8 @@ struct Light {
 
 // A lamp with a surface that rays can meet: it does not stop them.
 bool is_hittable(const Light& light);
+// Toward a lamp; empty for mesh lights and the environment, whose radiance takes a shader.
+std::optional<LightSample> sample_lamp(const Light& light, const ShadingPoint& point, Vec2 u);
 std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray);
 
 // An estimate of the irradiance that `light` may cause at `point`, never 0 where it may cause any:

@@ -53,17 +53,6 @@ std::vector<LampCase> lamps() {
 
 const ShadingPoint k_floor{{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, true};
 
-std::optional<LightSample> sample(const Light& light, const ShadingPoint& point, Vec2 u) {
-  return std::visit(
-      [&](const auto& lamp) -> std::optional<LightSample> {
-        if constexpr (requires { lamp.intersect(Ray()); })
-          return lamp.sample(point, u);
-        else
-          return {};
-      },
-      light.shape);
-}
-
 class LampStatistics : public ::testing::TestWithParam<LampCase> {};
 
 TEST_P(LampStatistics, SampledDirectionMeetsTheLampWithTheSamePdfAndRadiance) {
@@ -71,7 +60,7 @@ TEST_P(LampStatistics, SampledDirectionMeetsTheLampWithTheSamePdfAndRadiance) {
   int found = 0;
   for (uint32_t i = 0; i < 2000; ++i) {
     sampler.start_sample(0, 0, i);
-    const auto drawn = sample(GetParam().light, k_floor, sampler.get_2d());
+    const auto drawn = sample_lamp(GetParam().light, k_floor, sampler.get_2d());
     if (!drawn) continue;
     ++found;
     const auto hit = intersect_lamp(GetParam().light, Ray{k_floor.position, drawn->wi});
@@ -92,7 +81,7 @@ TEST_P(LampStatistics, IrradianceAgreesWithRaysAndClosedForm) {
   double by_light = 0.0, by_rays = 0.0;
   for (uint32_t i = 0; i < k_samples; ++i) {
     sampler.start_sample(0, 0, i);
-    if (const auto drawn = sample(GetParam().light, k_floor, sampler.get_2d()))
+    if (const auto drawn = sample_lamp(GetParam().light, k_floor, sampler.get_2d()))
       by_light += drawn->radiance.r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
     // The sun is too small for cosine-distributed rays: a narrower cone around it.
     const bool narrow = GetParam().name == "sun";
@@ -256,7 +245,7 @@ TEST(LightSampler, ImportanceIsPositiveWhereverALampShines) {
           {6.0f * place.x - 3.0f, 6.0f * place.y - 3.0f, sampler.get_1d() * 1.5f},
           warp_uniform_sphere(sampler.get_2d()),
           true};
-      const auto drawn = sample(c.light, point, sampler.get_2d());
+      const auto drawn = sample_lamp(c.light, point, sampler.get_2d());
       if (!drawn || !(dot(drawn->wi, point.normal) > 0.0f)) continue;
       EXPECT_GT(light_importance(c.light, point), 0.0f) << c.name;
     }
