@@ -5,13 +5,9 @@
 
 #include "math/frame.h"
 #include "sampling/warp.h"
+#include "shading/nodes/coordinates.h"
 
 namespace tenniel {
-
-Vec2 direction_to_equirectangular(Vec3 d) {
-  const float u = 0.5f - std::atan2(d.y, d.x) / k_two_pi;
-  return {u, 1.0f - safe_acos(d.z) * k_inv_pi};
-}
 
 Vec3 equirectangular_to_direction(Vec2 uv) {
   const float phi = (0.5f - uv.x) * k_two_pi, theta = (1.0f - uv.y) * k_pi;
@@ -69,7 +65,7 @@ float EnvironmentLight::pdf(const ShadingPoint& point, Vec3 wi) const {
                                 : uniform_sphere_pdf();
   const float sine = safe_sqrt(1.0f - sqr(wi.z));
   if (!(sine > 0.0f)) return 0.0f;
-  return map_.pdf(direction_to_equirectangular(wi)) / (2.0f * k_pi * k_pi * sine);
+  return map_.pdf(equirectangular_projection(wi)) / (2.0f * k_pi * k_pi * sine);
 }
 
 }  // namespace tenniel

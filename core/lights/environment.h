@@ -35,8 +35,7 @@ class EnvironmentLight {
   float mean_ = 0.0f;
 };
 
-// Blender's equirectangular coordinates of a unit direction, and back.
-Vec2 direction_to_equirectangular(Vec3 direction);
+// The direction that the Environment Texture's `equirectangular_projection` maps to `uv`.
 Vec3 equirectangular_to_direction(Vec2 uv);
 
 }  // namespace tenniel

@@ -9,6 +9,7 @@
 #include "geometry/mesh.h"
 #include "lights/light_sampler.h"
 #include "sampling/sampler.h"
+#include "shading/nodes/coordinates.h"
 
 namespace tenniel {
 namespace {
@@ -183,12 +184,12 @@ TEST_F(EmissiveQuad, DarkSlotsGiveNoLight) {
 }
 
 TEST(EnvironmentLight, PixelsAreWhereBlenderPutsThem) {
-  EXPECT_NEAR(direction_to_equirectangular({1.0f, 0.0f, 0.0f}).x, 0.5f, 1e-6f);
-  EXPECT_NEAR(direction_to_equirectangular({0.0f, 1.0f, 0.0f}).x, 0.25f, 1e-6f);
-  EXPECT_NEAR(direction_to_equirectangular({0.0f, 0.0f, 1.0f}).y, 1.0f, 1e-6f);
+  EXPECT_NEAR(equirectangular_projection({1.0f, 0.0f, 0.0f}).x, 0.5f, 1e-6f);
+  EXPECT_NEAR(equirectangular_projection({0.0f, 1.0f, 0.0f}).x, 0.25f, 1e-6f);
+  EXPECT_NEAR(equirectangular_projection({0.0f, 0.0f, 1.0f}).y, 1.0f, 1e-6f);
   for (float x = 0.05f; x < 1.0f; x += 0.1f) {
     const Vec2 uv{x, 0.3f};
-    const Vec2 back = direction_to_equirectangular(equirectangular_to_direction(uv));
+    const Vec2 back = equirectangular_projection(equirectangular_to_direction(uv));
     EXPECT_NEAR(back.x, uv.x, 1e-6f);
     EXPECT_NEAR(back.y, uv.y, 1e-6f);
   }
