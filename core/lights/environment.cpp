@@ -15,17 +15,49 @@ Vec3 equirectangular_to_direction(Vec2 uv) {
   return {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)};
 }
 
+namespace {
+
+// Of the half angle, exact for small ones.
+float one_minus_cos(const SunDisk& sun) {
+  return 2.0f * sqr(std::sin(0.5f * sun.half_angle));
+}
+
+bool is_in_sun(const SunDisk& sun, Vec3 direction) {
+  return length_squared(direction - sun.direction) <= 2.0f * one_minus_cos(sun);
+}
+
+// Mean over the disc, from points spread evenly over its area.
+template <class Brightness>
+float sun_brightness(const SunDisk& sun, const Brightness& brightness) {
+  constexpr int k_side = 6;
+  const Frame frame = Frame::from_normal(sun.direction);
+  float sum = 0.0f;
+  for (int i = 0; i < k_side * k_side; ++i) {
+    const Vec2 u{(static_cast<float>(i % k_side) + 0.5f) / k_side,
+                 (static_cast<float>(i / k_side) + 0.5f) / k_side};
+    sum += brightness(frame.to_world(warp_uniform_cone(u, one_minus_cos(sun))));
+  }
+  return sum / (k_side * k_side);
+}
+
+}  // namespace
+
 EnvironmentLight::EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance, int width,
-                                   int height) {
+                                   int height, std::optional<SunDisk> sun)
+    : sun_(sun) {
+  const auto brightness = [&](Vec3 direction) {
+    const float value = mean(radiance(direction));
+    return std::isfinite(value) ? std::max(value, 0.0f) : 0.0f;
+  };
+  const auto sample_at = [&](float x, float y) {
+    const Vec2 uv{x / static_cast<float>(width), y / static_cast<float>(height)};
+    const Vec3 direction = equirectangular_to_direction(uv);
+    return sun_ && is_in_sun(*sun_, direction) ? 0.0f : brightness(direction);
+  };
   // Centre and corners of each cell: what is bright only between the centres keeps a density.
   const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
   std::vector<float> corners((w + 1) * (h + 1)), values(w * h);
   double sum = 0.0, weight_sum = 0.0;
-  const auto sample_at = [&](float x, float y) {
-    const Vec2 uv{x / static_cast<float>(width), y / static_cast<float>(height)};
-    const float value = mean(radiance(equirectangular_to_direction(uv)));
-    return std::isfinite(value) ? std::max(value, 0.0f) : 0.0f;
-  };
   for (size_t y = 0; y <= h; ++y)
     for (size_t x = 0; x <= w; ++x)
       corners[y * (w + 1) + x] = sample_at(static_cast<float>(x), static_cast<float>(y));
@@ -42,6 +74,12 @@ EnvironmentLight::EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance
   }
   map_ = Distribution2D(values, width, height);
   mean_ = static_cast<float>(sum / weight_sum);
+  if (!sun_) return;
+  const float from_sun = sun_brightness(*sun_, brightness) * one_minus_cos(*sun_) * 0.5f;
+  const float share = from_sun > 0.0f ? from_sun / (mean_ + from_sun) : 0.0f;
+  // Neither share is exact: a cell of the map may hide something small and bright.
+  sun_probability_ = std::clamp(share, 0.1f, 0.9f);
+  mean_ += from_sun;
 }
 
 std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(const ShadingPoint& point,
@@ -53,19 +91,40 @@ std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(const Shadin
     return Direction{Frame::from_normal(point.normal).to_world(local),
                      cosine_hemisphere_pdf(local.z)};
   }
+  if (sun_ && u.x < sun_probability_) {
+    u.x /= sun_probability_;
+    const Vec3 wi =
+        Frame::from_normal(sun_->direction).to_world(warp_uniform_cone(u, one_minus_cos(*sun_)));
+    // At the rim rounding may have put it outside of what `pdf` calls the sun.
+    return Direction{wi, sun_probability_ * uniform_cone_pdf(one_minus_cos(*sun_)) +
+                             (1.0f - sun_probability_) * map_pdf(wi)};
+  }
+  if (sun_)
+    u.x = std::min((u.x - sun_probability_) / (1.0f - sun_probability_), k_one_minus_epsilon);
   const Distribution2D::Sample s = map_.sample(u);
   const float sine = std::sin(s.position.y * k_pi);
   if (!(sine > 0.0f) || !(s.pdf > 0.0f)) return {};
-  return Direction{equirectangular_to_direction(s.position), s.pdf / (2.0f * k_pi * k_pi * sine)};
+  const Vec3 wi = equirectangular_to_direction(s.position);
+  const float density = s.pdf / (2.0f * k_pi * k_pi * sine);
+  if (!sun_) return Direction{wi, density};
+  return Direction{wi, (1.0f - sun_probability_) * density + sun_probability_ * sun_pdf(wi)};
 }
 
 float EnvironmentLight::pdf(const ShadingPoint& point, Vec3 wi) const {
   if (is_constant())
     return point.has_hemisphere ? cosine_hemisphere_pdf(dot(wi, point.normal))
                                 : uniform_sphere_pdf();
+  return (1.0f - sun_probability_) * map_pdf(wi) + sun_probability_ * sun_pdf(wi);
+}
+
+float EnvironmentLight::map_pdf(Vec3 wi) const {
   const float sine = safe_sqrt(1.0f - sqr(wi.z));
   if (!(sine > 0.0f)) return 0.0f;
   return map_.pdf(equirectangular_projection(wi)) / (2.0f * k_pi * k_pi * sine);
+}
+
+float EnvironmentLight::sun_pdf(Vec3 wi) const {
+  return sun_ && is_in_sun(*sun_, wi) ? uniform_cone_pdf(one_minus_cos(*sun_)) : 0.0f;
 }
 
 }  // namespace tenniel

@@ -6,17 +6,19 @@
 
 #include "lights/light_types.h"
 #include "sampling/distribution.h"
+#include "shading/sun_disk.h"
 
 namespace tenniel {
 
 // Light from everywhere. Sampled by an equirectangular map of its radiance, or by the cosine where
-// it is the same in all directions.
+// it is the same in all directions. A sun in it is sampled apart, by its share of the light.
 class EnvironmentLight {
  public:
   EnvironmentLight() = default;
   explicit EnvironmentLight(Spectrum constant) : constant_(constant), mean_(mean(constant)) {}
   // Bakes `radiance` of a unit direction into a width x height map.
-  EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance, int width, int height);
+  EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance, int width, int height,
+                   std::optional<SunDisk> sun = {});
 
   struct Direction {
     Vec3 wi;
@@ -30,9 +32,14 @@ class EnvironmentLight {
   float mean_radiance() const { return mean_; }
 
  private:
+  float map_pdf(Vec3 wi) const;
+  float sun_pdf(Vec3 wi) const;
+
   Distribution2D map_;  // x: u = 0.5 - atan2(y, x) / 2 pi; y: v = 1 - acos(z) / pi
   Spectrum constant_;
   float mean_ = 0.0f;
+  std::optional<SunDisk> sun_;
+  float sun_probability_ = 0.0f;
 };
 
 // The direction that the Environment Texture's `equirectangular_projection` maps to `uv`.

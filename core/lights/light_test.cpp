@@ -9,6 +9,7 @@
 #include "geometry/mesh.h"
 #include "lights/light_sampler.h"
 #include "sampling/sampler.h"
+#include "sampling/warp.h"
 #include "shading/nodes/coordinates.h"
 
 namespace tenniel {
@@ -211,6 +212,38 @@ TEST(EnvironmentLightStatistics, LinearRadianceGivesTheKnownIrradiance) {
     sum += radiance(drawn->wi).r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
   }
   EXPECT_NEAR(sum / k_samples, k_pi + k_two_pi / 3.0f * a.z, 0.01);
+}
+
+// A sky of 1 with a sun of 2e4 that is half below a cell of the map: E = pi + L omega cos.
+TEST(EnvironmentLightStatistics, SunInTheSkyIsSampledApart) {
+  const SunDisk sun{normalize({0.3f, -0.4f, 0.8f}), 0.01f};
+  const float solid_angle = k_two_pi * 2.0f * sqr(std::sin(0.5f * sun.half_angle));
+  const auto radiance = [&](Vec3 d) {
+    return Spectrum(length_squared(d - sun.direction) < sqr(sun.half_angle) ? 2e4f : 1.0f);
+  };
+  const EnvironmentLight light(radiance, 128, 64, sun);
+  EXPECT_NEAR(light.mean_radiance(), 1.0f + 2e4f * solid_angle / (4.0f * k_pi), 0.01f);
+  Sampler sampler(4);
+  double sum = 0.0, sum_of_squares = 0.0, pdf_over_sphere = 0.0;
+  constexpr uint32_t k_samples = 1u << 14;
+  for (uint32_t i = 0; i < k_samples; ++i) {
+    sampler.start_sample(0, 0, i);
+    const auto drawn = light.sample(k_floor, sampler.get_2d());
+    ASSERT_TRUE(drawn);
+    EXPECT_NEAR(light.pdf(k_floor, drawn->wi) / drawn->pdf, 1.0f, 2e-2f);
+    const double value = radiance(drawn->wi).r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
+    sum += value;
+    sum_of_squares += value * value;
+    const Vec3 anywhere = warp_uniform_sphere(sampler.get_2d());
+    pdf_over_sphere += light.pdf(k_floor, anywhere) * 4.0 * k_pi;
+  }
+  const double expected = k_pi + 2e4 * solid_angle * sun.direction.z;
+  EXPECT_NEAR(sum / k_samples, expected, 0.01 * expected);
+  // Both parts have their share: one alone would leave the variance of missing the other.
+  EXPECT_LT(sum_of_squares / k_samples, 2.0 * expected * expected);
+  // Uniform directions hardly meet the sun: what they see is the map's part.
+  const double sun_share = 1.0 - pdf_over_sphere / k_samples;
+  EXPECT_NEAR(sun_share, 2e4 * solid_angle / (4.0 * k_pi + 2e4 * solid_angle), 0.05);
 }
 
 TEST(LightSampler, ProbabilitiesSumToOneAndFollowTheChoice) {

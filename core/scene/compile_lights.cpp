@@ -9,7 +9,8 @@ namespace tenniel {
 
 namespace {
 
-constexpr int k_auto_map_width = 1024, k_auto_map_height = 512;
+// Rows of the world's map, half as many as columns.
+constexpr int k_auto_map_height = 512, k_fine_map_height = 1024;
 
 // Radiant flux P in watts -> intensity P / (4 pi) of a point, spread over the disk pi r^2 that
 // every receiver sees: radiance P / (4 pi^2 r^2).
@@ -153,14 +154,19 @@ void SceneCompiler::compile_lights() {
     if (world.material.is_emission_constant) {
       light.shape = EnvironmentLight(world.material.constant_emission);
     } else {
-      const int height = desc.sampling == "MANUAL" ? std::clamp(desc.map_resolution / 2, 4, 4096)
-                                                   : k_auto_map_height;
+      // A sun that no sample can be aimed at must be wider than a cell of the map.
+      const auto& suns = world.material.suns;
+      const bool hides_sun = world.material.has_hidden_sun || suns.size() > 1;
+      const int auto_height = hides_sun ? k_fine_map_height : k_auto_map_height;
+      const int height =
+          desc.sampling == "MANUAL" ? std::clamp(desc.map_resolution / 2, 4, 4096) : auto_height;
       const PathInfo path{RayKind::diffuse, w, false, true, 1, 1, 0, 0, 0};
       light.shape = EnvironmentLight(
           [&](Vec3 direction) {
             return background_radiance(scene, world, direction, path, context);
           },
-          desc.sampling == "MANUAL" ? 2 * height : k_auto_map_width, height);
+          2 * height, height,
+          suns.size() == 1 ? std::optional<SunDisk>(suns.front()) : std::nullopt);
     }
     // Dreams that share the scene's World share no light: each belongs to its own world alone.
     world.light = static_cast<int>(lights.size());

@@ -37,6 +37,24 @@ void report_notes(const ShaderIr& ir, const CompileContext& context) {
   }
 }
 
+// Before implicit inputs are linked: a sky that is asked for plain directions shows its sun where
+// it says.
+void find_suns(const ShaderIr& ir, Material& material) {
+  for (const IrNode& node : ir.nodes) {
+    const auto sun = node.type->sun_disk ? node.type->sun_disk(node.data.get()) : std::nullopt;
+    if (!sun) continue;
+    const IrLink link = node.links.empty() ? IrLink() : node.links.front();
+    const NodeType* source = link.linked() ? ir.at(link.node).type : nullptr;
+    const bool is_plain =
+        !source || (source->idname == "ShaderNodeTexCoord" &&
+                    source->outputs[static_cast<size_t>(link.output)].identifier == "Generated");
+    if (is_plain)
+      material.suns.push_back(*sun);
+    else
+      material.has_hidden_sun = true;
+  }
+}
+
 std::string text_setting(const GraphNode& node, const char* name) {
   const auto it = node.settings.find(name);
   const auto* text = it == node.settings.end() ? nullptr : std::get_if<std::string>(&it->second);
@@ -48,6 +66,8 @@ std::string text_setting(const GraphNode& node, const char* name) {
 Material compile_material(const MaterialSource& source, CompileContext& context) {
   ShaderIr ir = build_ir(source, context);
   break_cycles(ir, context);
+  Material material;
+  if (source.domain == ShaderDomain::world) find_suns(ir, material);
   insert_conversions(ir, context);
   insert_implicit_inputs(ir, context);
   insert_displacement(ir, source, context);
@@ -56,7 +76,6 @@ Material compile_material(const MaterialSource& source, CompileContext& context)
     fold_constants(ir, source.domain);
     share_equal_nodes(ir);
   }
-  Material material;
   if (source.graph) material.name = source.graph->name;
   const uint8_t query = surface_query(source.domain);
   material.surface = emit_program(ir, query);

@@ -9,6 +9,7 @@
 #include "geometry/attributes.h"
 #include "shading/node_graph.h"
 #include "shading/program.h"
+#include "shading/sun_disk.h"
 
 namespace tenniel {
 
@@ -30,6 +31,8 @@ struct Material {
   bool has_surface = true;  // false: only Volume is linked (index-matched boundary)
   bool use_transparent_shadow = true;
   bool sample_as_light = true;
+  std::vector<SunDisk> suns;    // of its Sky Textures
+  bool has_hidden_sun = false;  // a sun that stands where only its texture knows
 };
 
 enum class DisplacementMethod : uint8_t { bump, displacement, both };

@@ -44,6 +44,7 @@ const NodeRegistry& node_registry() {
     register_coordinate_nodes(all);
     register_image_nodes(all);
     register_pattern_nodes(all);
+    register_sky_nodes(all);
     register_closure_nodes(all);
     register_principled_nodes(all);
     register_bump_nodes(all);

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -15,6 +16,7 @@
 
 #include "shading/shading_context.h"
 #include "shading/socket.h"
+#include "shading/sun_disk.h"
 
 namespace tenniel {
 
@@ -96,6 +98,10 @@ struct NodeType {
   std::vector<SettingInfo> settings;
   // A sentence on what this node, as it is set, does not get; null: nothing to say.
   const char* (*note)(const void* node) = nullptr;
+  // Makes what the node keeps besides its settings, once they are set; null: nothing.
+  void (*prepare)(void* node) = nullptr;
+  // A sun that this texture shows where it is asked for plain directions; null: never.
+  std::optional<SunDisk> (*sun_disk)(const void* node) = nullptr;
   InputInfo closure_weight;  // of a closure: its Input<float> weight, set by the compiler
   bool is_pure = true;       // depends on its inputs alone: may be folded
 
@@ -112,7 +118,8 @@ struct NodeType {
 // A node struct has `void eval(ShadingContext&) const`; a closure node also `Input<float> weight`
 // and `uint8_t closure_parts() const`. Nodes that only direct closures (Mix Shader, outputs) have
 // no eval: the compiler takes them apart. A closure node's eval adds only the parts that
-// ShadingContext::query asks for, each scaled by `weight`. `const char* note() const` is optional.
+// ShadingContext::query asks for, each scaled by `weight`. `const char* note() const`,
+// `void prepare()` and `std::optional<SunDisk> sun_disk() const` are optional.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -235,6 +242,10 @@ class NodeRegistry {
     }
     if constexpr (requires(const Node& node) { node.note(); })
       type.note = [](const void* node) { return static_cast<const Node*>(node)->note(); };
+    if constexpr (requires(Node & node) { node.prepare(); })
+      type.prepare = [](void* node) { static_cast<Node*>(node)->prepare(); };
+    if constexpr (requires(const Node& node) { node.sun_disk(); })
+      type.sun_disk = [](const void* node) { return static_cast<const Node*>(node)->sun_disk(); };
     by_name_.emplace(idname, &type);
     type.idname = std::move(idname);
     return NodeTypeBuilder<Node>(type);

@@ -190,6 +190,7 @@ void apply_settings(IrNode& node, const GraphNode& from, const CompileContext& c
   }
   node.settings_key = key_of(from.settings);
   resolve_slots(node, from, context);
+  if (node.type->prepare) node.type->prepare(node.data.get());
 }
 
 void apply_inputs(IrNode& node, const GraphNode& from, const CompileContext& context) {

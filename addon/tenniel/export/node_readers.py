@@ -28,7 +28,7 @@ _MIRROR_ATTRIBUTES = {'behind_mirror', 'dream'}
 
 # Textures that take the generated coordinate where their Vector input has no link.
 _WITHOUT_COORDINATE = {'ShaderNodeTexImage', 'ShaderNodeTexEnvironment', 'ShaderNodeTexWhiteNoise',
-                       'ShaderNodeTexIES', 'ShaderNodeTexPointDensity', 'ShaderNodeTexSky'}
+                       'ShaderNodeTexIES', 'ShaderNodeTexPointDensity'}
 
 
 @dataclass
@@ -101,6 +101,10 @@ def _mapping_matrix(mapping):
     else:
         matrix = turn @ stretch.inverted()
     return matrix @ axes
+
+
+def _sky(_context, node, _needs, _report):
+    return {'sun_direction': tuple(node.sun_direction)}
 
 
 # Tables ------------------------------------------------------------------------------------------
@@ -199,6 +203,7 @@ def _attribute(_context, node, needs, _report):
 _READERS = {
     'ShaderNodeTexImage': _image,
     'ShaderNodeTexEnvironment': _image,
+    'ShaderNodeTexSky': _sky,
     'ShaderNodeValToRGB': _color_ramp,
     'ShaderNodeRGBCurve': _color_curves,
     'ShaderNodeVectorCurve': _vector_curves,

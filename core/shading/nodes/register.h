@@ -15,6 +15,7 @@ void register_input_nodes(NodeRegistry& registry);
 void register_coordinate_nodes(NodeRegistry& registry);
 void register_image_nodes(NodeRegistry& registry);
 void register_pattern_nodes(NodeRegistry& registry);
+void register_sky_nodes(NodeRegistry& registry);
 void register_closure_nodes(NodeRegistry& registry);
 void register_principled_nodes(NodeRegistry& registry);
 void register_bump_nodes(NodeRegistry& registry);
