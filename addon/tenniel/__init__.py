@@ -24,6 +24,7 @@ _MODULES = (
     'properties',
     'operators',
     'engine',
+    'presets',
     'ui',
 )
 

@@ -134,6 +134,20 @@ TEST(Compiler, FoldsConstantsByEval) {
   EXPECT_EQ(m.material.constant_emission, Spectrum(0.75f, 0.375f, 0.1875f));
 }
 
+TEST(Compiler, KeepsAConstantNormalApartFromTheImpliedOne) {
+  const auto m = compiled(R"(
+    half: Half Value=2
+    matte: ShaderNodeBsdfDiffuse Normal<half.Half
+    out: ShaderNodeOutputMaterial Surface<matte.BSDF)");
+  ShadingContext context = context_at({0, 0, 0});
+  context.reserve(m.material.surface.register_count());
+  context.begin(k_query_surface);
+  m.material.surface.run(context);
+  context.bsdf.finish();
+  // (1, 1, 1) / sqrt(3), raised a little for the mirror direction; the implied one is (0, 0, 1).
+  EXPECT_NEAR(context.bsdf.average_normal().x, 0.55f, 0.06f);
+}
+
 TEST(Compiler, SharesEqualNodes) {
   const auto m = compiled(R"(
     p: Probe

@@ -42,10 +42,16 @@ class ConstantFolding {
     return i < outputs.size() && outputs[i] ? &*outputs[i] : nullptr;
   }
 
+  static bool implies_direction(const InputInfo& input) {
+    return input.implicit == ImplicitInput::normal || input.implicit == ImplicitInput::tangent;
+  }
+
   void replace_input(int n, size_t i) {
     IrNode& node = ir_.at(n);
     const Replacement* r = replacement(node.links[i]);
     if (!r) return;
+    // A constant there would be taken for the implied normal: it stays a link.
+    if (!r->link.linked() && implies_direction(input_info(*node.type, i))) return;
     ir_.link(n, i, r->link);
     if (!r->link.linked()) set_constant(node.data.get(), input_info(*node.type, i), r->value);
   }
@@ -54,9 +60,7 @@ class ConstantFolding {
     if (!node.type->is_pure || !node.type->eval) return false;
     for (size_t i = 0; i < node.links.size(); ++i) {
       const InputInfo& input = input_info(*node.type, i);
-      if (node.links[i].linked() || input.is_program) return false;
-      if (input.implicit == ImplicitInput::normal || input.implicit == ImplicitInput::tangent)
-        return false;
+      if (node.links[i].linked() || input.is_program || implies_direction(input)) return false;
     }
     return true;
   }

@@ -5,6 +5,7 @@ import traceback
 from typing import Any, Callable, NamedTuple
 
 from .. import mirror_tags, reports
+from ..presets import groups
 
 # Attribute names with a meaning of their own; no attribute of an artist starts with this byte.
 ACTIVE_UV = ''
@@ -58,6 +59,7 @@ class ExportContext:
         self.images = {}      # (image.name_full, frame) -> index
         self.meshes = {}      # see mesh.py
         self._links = {}      # node tree -> {input socket: link}, by address
+        self._metals = {}     # node tree -> distribution or None, by address
         self.has_looking_glass = False
         self.behind_objects = []
         self._test_break = test_break
@@ -93,6 +95,17 @@ class ExportContext:
                 link.to_socket.as_pointer(): link for link in tree.links
                 if link.is_valid and not link.is_muted}
         return links.get(socket.as_pointer())
+
+    def metal_distribution(self, tree):
+        """Distribution of the group of a metal, None for any other tree and for one that was
+        changed inside: its own nodes are rendered then."""
+        key = tree.as_pointer()
+        if key not in self._metals:
+            self._metals[key] = groups.distribution_of(tree)
+            if self._metals[key] is None and tree.get(groups.KIND_PROPERTY) == groups.METAL:
+                self.report('INFO', f"The nodes inside the group '{tree.name}' were changed: they "
+                            "are rendered as they are, not as a measured metal")
+        return self._metals[key]
 
     @property
     def mirror_view(self):

@@ -103,7 +103,7 @@ class _Flattener:
         index = self._indices.get(key)
         if index is None:
             label = '/'.join((*scope.path, node.name))
-            index = self._indices[key] = self._graph.add_node(node.bl_idname, label)
+            index = self._indices[key] = self._graph.add_node(self._type_of(node), label)
             self._has_alpha_switch[index] = self._knows(node, 'alpha_is_linked')
             self._waiting.append((scope, node, index))
         return index
@@ -112,9 +112,20 @@ class _Flattener:
         known = self._context.node_types.get(node.bl_idname)
         return known is not None and setting in known.settings
 
+    def _type_of(self, node):
+        """The core's name of what this node is: its own, but for a metal's group."""
+        return node_readers.CONDUCTOR if self._is_metal(node) else node.bl_idname
+
+    def _is_metal(self, node):
+        if node.type != 'GROUP' or node.node_tree is None:
+            return False
+        if self._context.node_types.get(node_readers.CONDUCTOR) is None:
+            return False
+        return self._context.metal_distribution(node.node_tree) is not None
+
     def _fill(self, scope, node, index):
         """Copies settings and inputs of a node as far as the core knows them."""
-        known = self._context.node_types.get(node.bl_idname)
+        known = self._context.node_types.get(self._type_of(node))
         if known is None:
             # The core stands in for it, and reports it.
             return
@@ -124,14 +135,20 @@ class _Flattener:
             except (TypeError, ValueError) as error:
                 self._report(scope, node, f"Setting '{name}' cannot be used ({error})")
         names = set()
-        for socket in node.inputs:
-            names.add(socket.identifier)
-            if socket.identifier in known.inputs and _is_in_use(socket):
-                self._connect(scope, socket, index)
+        for name, socket in self._inputs(node):
+            names.add(name)
+            if name in known.inputs and _is_in_use(socket):
+                self._connect(scope, socket, index, name)
         # The value of some nodes is that of their output socket.
         for socket in node.outputs:
             if socket.identifier in known.inputs and socket.identifier not in names:
                 self._graph.set_input(index, socket.identifier, _socket_value(socket))
+
+    def _inputs(self, node):
+        """(the core's name, socket) of each input."""
+        if self._is_metal(node):
+            return zip(node_readers.CONDUCTOR_INPUTS, node.inputs)
+        return ((socket.identifier, socket) for socket in node.inputs)
 
     def _settings(self, scope, node, known):
         report = lambda text, **where: self._report(scope, node, text, **where)  # noqa: E731
@@ -141,16 +158,17 @@ class _Flattener:
                 values[name] = getattr(node, name)
         return {name: value for name, value in values.items() if name in known.settings}
 
-    def _connect(self, scope, socket, index):
+    def _connect(self, scope, socket, index, name):
+        """Lets input `name` of node `index` have what feeds `socket`."""
         source = self._source_of(scope, socket)
         if isinstance(source, Link):
             if socket.type in _NUMBERS and source.type != source.native:
                 source = self._as_number(source)
-            self._graph.link(source.node, source.socket, index, socket.identifier)
+            self._graph.link(source.node, source.socket, index, name)
             if source.socket == 'Alpha' and self._has_alpha_switch.get(source.node):
                 self._graph.set_setting(source.node, 'alpha_is_linked', True)
         elif source.value is not None:
-            self._graph.set_input(index, socket.identifier,
+            self._graph.set_input(index, name,
                                   _convert(source.value, source.type, socket.type))
 
     # Where a link comes from ---------------------------------------------------------------------
@@ -167,9 +185,9 @@ class _Flattener:
             node, output = link.from_node, link.from_socket
             step = self._step(scope, node, output)
             if step is None:
-                return self._through(border_types, Link(self._index_of(scope, node),
-                                                        output.identifier, output.type,
-                                                        output.type))
+                name = 'BSDF' if self._is_metal(node) else output.identifier
+                return self._through(border_types, Link(self._index_of(scope, node), name,
+                                                        output.type, output.type))
             scope, socket = step
             if socket is None:
                 # Nothing behind it: as if the link were not there.
@@ -202,7 +220,7 @@ class _Flattener:
             if scope.group is None:
                 return scope, None
             return scope.parent, _by_identifier(scope.group.inputs, output.identifier)
-        if node.type == 'GROUP':
+        if node.type == 'GROUP' and not self._is_metal(node):
             return self._enter(scope, node, output)
         return None
 

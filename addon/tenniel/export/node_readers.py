@@ -23,6 +23,11 @@ INSTANCE_ATTRIBUTE_PREFIXES = {
     'VIEW_LAYER': '\x01layer:',
 }
 
+# The core's own conductor, which stands for the group of a metal (presets/groups.py), and its
+# inputs in the order of the group's.
+CONDUCTOR = 'TennielConductor'
+CONDUCTOR_INPUTS = ('Eta', 'K', 'Roughness', 'Normal')
+
 # The core answers these by itself, whatever the type of the Attribute node.
 _MIRROR_ATTRIBUTES = {'behind_mirror', 'dream'}
 
@@ -52,10 +57,14 @@ def read(context, node, known, needs, report):
             report("The limits of its texture mapping are not supported")
     if node.bl_idname.startswith('ShaderNodeTex') and node.bl_idname not in _WITHOUT_COORDINATE:
         needs.attributes.add(GENERATED)
-    reader = _READERS.get(node.bl_idname)
+    reader = _conductor if node.type == 'GROUP' else _READERS.get(node.bl_idname)
     if reader is not None:
         settings.update(reader(context, node, needs, report))
     return settings
+
+
+def _conductor(context, node, _needs, _report):
+    return {'distribution': context.metal_distribution(node.node_tree)}
 
 
 # Images ------------------------------------------------------------------------------------------

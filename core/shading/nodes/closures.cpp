@@ -33,10 +33,15 @@ Microsurface microsurface(GlossyDistribution distribution, float alpha_x, float 
           alpha_x, alpha_y};
 }
 
-Lobe reflection_lobe(GlossyDistribution distribution, float roughness) {
-  if (distribution == GlossyDistribution::sharp) return SpecularReflection{};
+Lobe reflection_lobe(GlossyDistribution distribution, float roughness,
+                     const Fresnel& fresnel = Fresnel::none()) {
+  if (distribution == GlossyDistribution::sharp) return SpecularReflection{fresnel};
   const float alpha = sqr(saturate(roughness));
-  return MicrofacetReflection{microsurface(distribution, alpha, alpha), Fresnel::none()};
+  return MicrofacetReflection{microsurface(distribution, alpha, alpha), fresnel};
+}
+
+Spectrum non_negative(Vec3 v) {
+  return {std::max(v.x, 0.0f), std::max(v.y, 0.0f), std::max(v.z, 0.0f)};
 }
 
 Lobe refraction_lobe(GlossyDistribution distribution, float roughness, float eta) {
@@ -61,6 +66,13 @@ void DiffuseNode::eval(ShadingContext& context) const {
 void GlossyNode::eval(ShadingContext& context) const {
   context.bsdf.add(reflection_lobe(distribution, context.get(roughness)),
                    context.get(color) * context.get(weight), context.normal(normal));
+}
+
+void ConductorNode::eval(ShadingContext& context) const {
+  const Fresnel fresnel =
+      Fresnel::conductor(non_negative(context.get(eta)), non_negative(context.get(k)));
+  context.bsdf.add(reflection_lobe(distribution, context.get(roughness), fresnel),
+                   Spectrum(context.get(weight)), context.normal(normal));
 }
 
 void AnisotropicNode::eval(ShadingContext& context) const {
@@ -163,6 +175,16 @@ void register_reflecting(NodeRegistry& registry) {
                {"GGX", k_ggx},
                {"ASHIKHMIN_SHIRLEY", k_ggx},
                {"MULTI_GGX", k_ggx}})
+      .closure_output("BSDF")
+      .closure();
+  registry.add<ConductorNode>("TennielConductor")
+      .input("Eta", &ConductorNode::eta)
+      .input("K", &ConductorNode::k)
+      .input("Roughness", &ConductorNode::roughness)
+      .input("Normal", &ConductorNode::normal)
+      .implicit(ImplicitInput::normal)
+      .choice("distribution", &ConductorNode::distribution,
+              {{"SHARP", k_sharp}, {"BECKMANN", k_beckmann}, {"GGX", k_ggx}})
       .closure_output("BSDF")
       .closure();
   registry.add<AnisotropicNode>("ShaderNodeBsdfAnisotropic")

@@ -27,6 +27,18 @@ struct GlossyNode {
   uint8_t closure_parts() const { return k_query_scatter; }
 };
 
+// A metal by its complex index eta + i k per channel, relative to air: the exact reflectance of
+// each facet. No node of Blender's; the exporter puts it where it finds the add-on's Metal group.
+struct ConductorNode {
+  Input<float> weight;
+  Input<Vec3> eta{{1.0f, 1.0f, 1.0f}}, k;
+  Input<float> roughness{0.0f};
+  Input<Vec3> normal;
+  GlossyDistribution distribution = GlossyDistribution::ggx;
+  void eval(ShadingContext& context) const;
+  uint8_t closure_parts() const { return k_query_scatter; }
+};
+
 struct AnisotropicNode {
   Input<float> weight;
   Input<Spectrum> color{Spectrum(0.8f)};

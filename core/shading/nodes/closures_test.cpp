@@ -48,6 +48,21 @@ TEST(Closures, RoughDiffuseDiffersFromLambert) {
   EXPECT_GT(evaluated(node, context).eval(wi).value.g, 0.8f * k_inv_pi * wi.z * 1.05f);
 }
 
+TEST(Closures, ConductorReflectsByItsComplexIndex) {
+  ConductorNode node;
+  node.weight.value = 0.5f;
+  node.eta.value = {0.14304f, 0.4116f, -1.0f};  // what cannot be is taken for 0
+  node.k.value = {3.983f, 2.35978f, 1.71848f};
+  for (const auto distribution : {GlossyDistribution::sharp, GlossyDistribution::ggx}) {
+    ShadingContext context = context_toward(k_slanted);
+    node.distribution = distribution;
+    const Spectrum found = evaluated(node, context).albedo();
+    EXPECT_NEAR(found.r, 0.5f * fresnel_conductor(0.8f, 0.14304f, 3.983f), 1e-6f);
+    EXPECT_NEAR(found.g, 0.5f * fresnel_conductor(0.8f, 0.4116f, 2.35978f), 1e-6f);
+    EXPECT_NEAR(found.b, 0.5f * fresnel_conductor(0.8f, 0.0f, 1.71848f), 1e-6f);
+  }
+}
+
 TEST(Closures, GlassSplitsByTheMacroscopicFresnelTerm) {
   for (const bool back : {false, true}) {
     ShadingContext context = context_toward(k_slanted, back);
