@@ -226,9 +226,9 @@ class Diagnostic:
     file: str
 
 class PassInfo:
-    name: str  # Combined, Depth, Normal
+    name: str  # Combined, Depth, Normal, Mirror World, Mirror Coverage, Dream
     channels: int
-    channel_ids: str  # RGBA, Z, XYZ
+    channel_ids: str  # RGBA, Z, XYZ, X, RGB
 
 def passes() -> list[PassInfo]:
     """Every pass the core can deliver."""

@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Render passes: which there are, and how pixels get into Blender's RenderResult.
 
-Combined, Depth and Normal bear these names in every version of Blender.
+Combined, Depth and Normal bear these names in every version of Blender. Blender makes room for its
+own passes by itself; those it does not know are added to the result before the first picture.
 """
 
-# Core pass -> (view layer switch or '' for always, Blender's type of the pass).
+# Core pass -> (view layer switch or '' for always, Blender's type of the pass). Switches that begin
+# with "tenniel." are ours, and so are their passes.
+_OURS = 'tenniel.'
 _SWITCHES = {
     'Combined': ('', 'COLOR'),
     'Depth': ('use_pass_z', 'VALUE'),
     'Normal': ('use_pass_normal', 'VECTOR'),
+    'Mirror World': ('tenniel.use_pass_mirror_world', 'VALUE'),
+    'Mirror Coverage': ('tenniel.use_pass_mirror_world', 'VALUE'),
+    'Dream': ('tenniel.use_pass_dream', 'COLOR'),
 }
 
 _takes_flat_rect = None    # whether RenderPass.rect takes a flat array; known after the first write
@@ -16,11 +22,23 @@ _takes_flat_rect = None    # whether RenderPass.rect takes a flat array; known a
 
 def register_passes(engine, core, scene, view_layer):
     """Tells Blender which passes this view layer will get."""
+    for info, _switch, kind in _wanted(core, view_layer):
+        engine.register_pass(scene, view_layer, info.name, info.channels, info.channel_ids, kind)
+
+
+def add_passes(engine, core, view_layer):
+    """Makes room for our own passes in the result of the render that begins."""
+    for info, switch, _kind in _wanted(core, view_layer):
+        if switch.startswith(_OURS):
+            engine.add_pass(info.name, info.channels, info.channel_ids, layer=view_layer.name)
+
+
+def _wanted(core, view_layer):
+    """(PassInfo, switch, type) of each pass that is on."""
     for info in core.passes():
-        switch, kind = _SWITCHES.get(info.name, (None, None))
-        if kind and (not switch or getattr(view_layer, switch)):
-            engine.register_pass(scene, view_layer, info.name, info.channels, info.channel_ids,
-                                 kind)
+        switch, kind = _SWITCHES.get(info.name, ('', None))
+        if kind and (not switch or view_layer.path_resolve(switch)):
+            yield info, switch, kind
 
 
 class PassWriter:

@@ -186,6 +186,16 @@ class TennielObjectSettings(PropertyGroup):
         description="Material that replaces all materials of this object behind the mirror")
 
 
+class TennielViewLayerSettings(PropertyGroup):
+    use_pass_mirror_world: BoolProperty(
+        name="Mirror World", default=False,
+        description="Number of the dream that is seen first (Mirror World), and how much of each "
+                    "pixel shows one (Mirror Coverage)")
+    use_pass_dream: BoolProperty(
+        name="Dream", default=False,
+        description="What of the picture came through a looking glass")
+
+
 class TennielMaterialSettings(PropertyGroup):
     behind_material: PointerProperty(
         name="Material Behind", type=bpy.types.Material, override={'LIBRARY_OVERRIDABLE'},
@@ -197,12 +207,14 @@ _CLASSES = (
     TennielDream,
     TennielSceneSettings,
     TennielObjectSettings,
+    TennielViewLayerSettings,
     TennielMaterialSettings,
 )
 
 _OWNERS = (
     (bpy.types.Scene, TennielSceneSettings, "Render settings of Tenniel"),
     (bpy.types.Object, TennielObjectSettings, "What this object is to the magic mirror"),
+    (bpy.types.ViewLayer, TennielViewLayerSettings, "Passes that Tenniel alone has"),
     (bpy.types.Material, TennielMaterialSettings, "Look of this material behind the mirror"),
 )
 

@@ -11,7 +11,7 @@ import bpy
 from . import native, reports
 from .export import Cancelled, View, export_scene
 from .export.camera import FromObject
-from .passes import PassWriter
+from .passes import PassWriter, add_passes
 
 # The core answers a cancel within 0.1 s, and so should we.
 _POLL_SECONDS = 0.05
@@ -124,6 +124,7 @@ class FinalRender:
     def _start(self):
         engine, core = self._engine, native.core()
         self._status("Exporting the scene")
+        add_passes(engine, core, self._depsgraph.view_layer)
         result = self._begin_result()
         width, height = result.resolution_x, result.resolution_y
         engine.end_result(result, cancel=True)

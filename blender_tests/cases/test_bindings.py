@@ -20,7 +20,9 @@ class ModuleTest(unittest.TestCase):
 
     def test_passes(self):
         found = [(p.name, p.channels, p.channel_ids) for p in core.passes()]
-        self.assertEqual(found, [("Combined", 4, "RGBA"), ("Depth", 1, "Z"), ("Normal", 3, "XYZ")])
+        self.assertEqual(found, [("Combined", 4, "RGBA"), ("Depth", 1, "Z"), ("Normal", 3, "XYZ"),
+                                 ("Mirror World", 1, "X"), ("Mirror Coverage", 1, "X"),
+                                 ("Dream", 3, "RGB")])
 
     def test_node_types_are_those_of_blender(self):
         kinds = {'boolean', 'integer', 'number', 'choice', 'text', 'table', 'image', 'attribute'}

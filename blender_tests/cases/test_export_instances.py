@@ -185,7 +185,8 @@ class MirrorTest(ExportTestCase):
             self.assertEqual(self.export().instances[0].worlds, expected)
 
     def test_looking_glass(self):
-        tags = scene_factory.plane(self.scene).tenniel
+        clear = scene_factory.simple_material("ShaderNodeBsdfTransparent")
+        tags = scene_factory.plane(self.scene, 2.0, clear).tenniel
         for number in range(2):
             self.scene.tenniel.dreams.add().name = f"Dream {number}"
         tags.looking_glass, tags.dream, tags.entry = True, 2, 'TRANSMISSION'

@@ -185,20 +185,50 @@ class ShadowTest(MirrorCase):
 class FurnaceTest(MirrorCase):
     """Proof 5: white things under a uniform sky vanish, in every world."""
 
-    def test_furnace(self):
+    def white_things(self):
         white = scene_factory.diffuse((1, 1, 1))
         for x, side in ((-1.0, "BOTH"), (0.0, "THIS_SIDE"), (1.0, "BEHIND")):
             # Flat faces: interpolated normals lose energy where they and the surface disagree.
             obj = scene_factory.sphere(self.scene, 0.4, white, smooth=False, name=side,
                                        location=(x, 0.5, 0.8))
             obj.tenniel.side = side
-        self.looking_glass(scene_factory.mirror((1, 1, 1)))
         scene_factory.set_world(self.scene, (1, 1, 1))
         scene_factory.camera(self.scene, (0.0, -3.0, 1.2), (0, MIRROR_Y, 1.0), lens=25.0)
+
+    def check(self, name):
         picture = render(TESTED_ENGINE, 128, 0, self.RESOLUTION, max_bounces=1024,
                          diffuse_bounces=1024, glossy_bounces=1024)
-        for x, y, mean in picture.block_means(6):
-            self.assertAlmostEqual(mean[0], 1.0, delta=2e-3, msg=f"block {x},{y}")
+        furthest = max(abs(mean[0] - 1.0) for _, _, mean in picture.block_means(6))
+        self.assertLess(furthest, 2e-3, name)
+
+    def test_furnace(self):
+        self.white_things()
+        self.looking_glass(scene_factory.mirror((1, 1, 1)))
+        self.check("this side and dream 1")
+
+    def test_every_world(self):
+        """Each dream, with the same sky and with one of its own."""
+        for own_sky in (False, True):
+            for number in range(1, 5):
+                with self.subTest(f"dream {number}, {'own' if own_sky else 'shared'} sky"):
+                    self.setUp()
+                    self.white_things()
+                    for _ in range(4):
+                        dream = self.scene.tenniel.dreams.add()
+                        dream.world = self.scene.world.copy() if own_sky else None
+                    self.looking_glass(scene_factory.mirror((1, 1, 1)), dream=number)
+                    self.check(f"dream {number}")
+
+    def test_mirror_between_two_dreams(self):
+        self.white_things()
+        for number in (1, 2):
+            self.scene.tenniel.dreams.add()
+        self.looking_glass(scene_factory.mirror((1, 1, 1)))
+        other = scene_factory.plane(self.scene, 3.0, scene_factory.mirror((1, 1, 1)), "Facing",
+                                    location=(0, -1.0, 3.2), rotation=(-60, 0, 0))
+        other.tenniel.looking_glass, other.tenniel.dream = True, 2
+        other.tenniel.reenter = 'TOGGLE'
+        self.check("two dreams")
 
 
 class EstimatorTest(MirrorCase):
@@ -248,7 +278,7 @@ class FacingMirrorsTest(MirrorCase):
 
     REFLECTANCE = 0.5
 
-    def build(self, reenter):
+    def build(self, reenter, left_dream=1):
         shown = emission_of("world", lambda n: n.add("ShaderNodeCombineXYZ", None, {
             0: 1.0,
             1: n.add("ShaderNodeAttribute", {"attribute_name": "behind_mirror"}).outputs["Fac"],
@@ -260,26 +290,41 @@ class FacingMirrorsTest(MirrorCase):
                 (self.REFLECTANCE,) * 3), f"Mirror {x}", location=(x, 0, 0), rotation=(0, turn, 0))
             obj.tenniel.looking_glass = True
             obj.tenniel.reenter = reenter
+            obj.tenniel.dream = left_dream if x < 0.0 else 1
+        for _ in range(left_dream):
+            self.scene.tenniel.dreams.add()
         scene_factory.camera(self.scene, (0.1, 0, 0), (0.75, 1.0, 0.02), lens=24.0)
 
-    def test_depth(self):
-        for reenter in ("STAY", "TOGGLE"):
+    def check(self, world_at_depth):
+        """world_at_depth(n) is the world seen after n reflections."""
+        # Roulette would put the lost paths' radiance on the others, and hide their depth.
+        picture = render(TESTED_ENGINE, 1, 0, (64, 8), max_bounces=64, glossy_bounces=64,
+                         min_light_bounces=64)
+        depths = set()
+        for x in range(64):
+            red = picture.pixel(x, 4)[0]
+            if red == 0.0:
+                continue
+            depth = math.log(red) / math.log(self.REFLECTANCE)
+            self.assertAlmostEqual(depth, round(depth), places=3)
+            depth = round(depth)
+            depths.add(depth)
+            world = world_at_depth(depth)
+            self.assert_pixel(picture, x, 4, (red, red * (world > 0), red * world))
+        self.assertGreaterEqual(len(depths), 4, depths)
+        self.assertIn(0, depths)
+
+    def test_one_dream(self):
+        for reenter, world_at_depth in (("STAY", lambda n: min(n, 1)), ("TOGGLE", lambda n: n % 2)):
             with self.subTest(reenter):
                 self.setUp()
                 self.build(reenter)
-                # Roulette would put the lost paths' radiance on the others, and hide their depth.
-                picture = render(TESTED_ENGINE, 1, 0, (64, 8), max_bounces=64, glossy_bounces=64,
-                                 min_light_bounces=64)
-                depths = set()
-                for x in range(64):
-                    red, green, blue, _ = picture.pixel(x, 4)
-                    if red == 0.0:
-                        continue
-                    depth = math.log(red) / math.log(self.REFLECTANCE)
-                    self.assertAlmostEqual(depth, round(depth), places=3)
-                    depth = round(depth)
-                    depths.add(depth)
-                    behind = depth % 2 if reenter == "TOGGLE" else min(depth, 1)
-                    self.assert_pixel(picture, x, 4, (red, red * behind, red * behind))
-                self.assertGreaterEqual(len(depths), 4, depths)
-                self.assertIn(0, depths)
+                self.check(world_at_depth)
+
+    def test_two_dreams(self):
+        """The innermost mirror wins: each leads into its own dream, whatever the path came from."""
+        for reenter in ("STAY", "TOGGLE"):
+            with self.subTest(reenter):
+                self.setUp()
+                self.build(reenter, left_dream=2)
+                self.check(lambda n: 0 if n == 0 else 2 - n % 2)

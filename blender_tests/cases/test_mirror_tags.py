@@ -6,6 +6,7 @@ from support import compare, scene_factory
 from support.mirror import MIRROR_Y, MirrorCase, coated
 from support.render import TESTED_ENGINE, render, render_seeds
 from support.tile_grid import emission_of
+from tenniel import reports
 
 
 class InstanceTest(MirrorCase):
@@ -50,7 +51,8 @@ class InstanceTest(MirrorCase):
         cases = {("BEHIND", "BOTH"): "behind", ("BOTH", "BEHIND"): "behind",
                  ("THIS_SIDE", "BOTH"): "this", ("BOTH", "THIS_SIDE"): "this",
                  ("THIS_SIDE", "BEHIND"): "this", ("BEHIND", "THIS_SIDE"): "behind"}
-        for add in (self.collection_instance, self.vertex_instance):
+        for add in (self.collection_instance, self.vertex_instance, self.particle_instance,
+                    self.geometry_nodes_instance):
             for (instancer, ball), seen in cases.items():
                 with self.subTest(f"{add.__name__}: instancer {instancer}, object {ball}"):
                     self.setUp()
@@ -59,6 +61,38 @@ class InstanceTest(MirrorCase):
                     self.assert_pixel(picture, 16, 16, expected)
                     # Beside the ball but inside the mirror: nothing shines in either world.
                     self.assert_pixel(picture, 2, 16, none)
+
+    def particle_instance(self, instancer_side, ball_side):
+        parent = scene_factory.plane(self.scene, 0.01, scene_factory.diffuse((0, 0, 0)),
+                                     name="Instancer", location=(0.0, -0.5, 1.2))
+        parent.tenniel.side = instancer_side
+        parent.show_instancer_for_render = False
+        settings = parent.modifiers.new("Particles", 'PARTICLE_SYSTEM').particle_system.settings
+        settings.count, settings.frame_start, settings.frame_end = 1, 0.0, 0.0
+        settings.physics_type, settings.particle_size = 'NO', 1.0
+        settings.emit_from, settings.use_emit_random = 'VERT', False
+        ball = self.ball(side=ball_side)
+        # What is instanced is not to be seen itself.
+        ball.location = (0.0, 100.0, 0.0)
+        settings.render_type, settings.instance_object = 'OBJECT', ball
+        self.scene.frame_set(1)
+
+    def geometry_nodes_instance(self, instancer_side, ball_side):
+        ball = self.ball(side=ball_side)
+        ball.location = (0.0, 100.0, 0.0)
+        parent = scene_factory.link(self.scene, scene_factory.mesh("Dot", [(0, -0.5, 1.2)], []),
+                                    "Instancer")
+        parent.tenniel.side = instancer_side
+        tree = bpy.data.node_groups.new("Instances", 'GeometryNodeTree')
+        tree.inputs.new('NodeSocketGeometry', "Geometry")
+        tree.outputs.new('NodeSocketGeometry', "Geometry")
+        nodes = scene_factory.Nodes(tree)
+        on_points = nodes.add("GeometryNodeInstanceOnPoints", None, {
+            "Points": nodes.add("NodeGroupInput"),
+            "Instance": nodes.add("GeometryNodeObjectInfo", None, {
+                "Object": ball, "As Instance": True}).outputs["Geometry"]})
+        nodes.add("NodeGroupOutput", None, {0: on_points})
+        parent.modifiers.new("Instances", 'NODES').node_group = tree
 
     def test_behind_material(self):
         other = (4.0, 0.5, 0.25)
@@ -217,3 +251,57 @@ class MistakeTest(MirrorCase):
     def test_behind_object_without_looking_glass(self):
         self.room().tenniel.looking_glass = False
         render(TESTED_ENGINE, 1, 0, (8, 8))
+
+    def test_looking_glass_that_cannot_be_entered(self):
+        """Said of a matte one, not of one that reflects or of a portal that lets light through."""
+        def matte():
+            return scene_factory.diffuse((0.5, 0.5, 0.5))
+
+        def clear():
+            return scene_factory.simple_material("ShaderNodeBsdfTransparent", Color=(1, 1, 1))
+
+        def mirror():
+            return scene_factory.mirror((1, 1, 1))
+        for make, entry, word in ((matte, 'REFLECTION', "reflects"),
+                                  (clear, 'REFLECTION', "reflects"),
+                                  (matte, 'TRANSMISSION', "lets light through"),
+                                  (lambda: None, 'BOTH', "reflects or lets light through"),
+                                  (clear, 'TRANSMISSION', None), (clear, 'BOTH', None),
+                                  (mirror, 'REFLECTION', None)):
+            with self.subTest(f"{make.__name__}, {entry}"):
+                self.setUp()
+                glass = self.room()
+                glass.data.materials[0] = make()
+                glass.tenniel.entry = entry
+                render(TESTED_ENGINE, 1, 0, (8, 8))
+                found = [f"{row.object}: {row.text}" for row in reports.rows(self.scene.name)
+                         if "it shows no dream" in row.text]
+                expected = f"Looking Glass: No material of this looking glass {word}: "
+                self.assertEqual(found, [expected + "it shows no dream"] if word else [])
+
+
+class PassTest(MirrorCase):
+
+    def test_passes(self):
+        """Mirror World and its coverage as the camera sees the glass, Dream as the difference."""
+        self.room(scene_factory.mirror((0.9, 0.9, 0.9)))
+        covered = self.coverage()
+        layer = bpy.context.view_layer
+        layer.tenniel.use_pass_mirror_world = layer.tenniel.use_pass_dream = True
+        channels = render(TESTED_ENGINE, 64, 5, self.RESOLUTION, True, diffuse_bounces=0).layers
+        names = {name: [channels[f"{layer.name}.{name}.{c}"] for c in letters]
+                 for name, letters in (("Mirror World", "X"), ("Mirror Coverage", "X"),
+                                       ("Dream", "RGB"), ("Combined", "RGB"))}
+        for i, expected in enumerate(covered):
+            coverage = names["Mirror Coverage"][0][i]
+            self.assertAlmostEqual(coverage, expected, delta=1e-5)
+            self.assertEqual(names["Mirror World"][0][i], float(expected > 0.0))
+            for dream, combined in zip(names["Dream"], names["Combined"]):
+                if expected in (0.0, 1.0):
+                    self.assertAlmostEqual(dream[i], expected * combined[i], delta=1e-5)
+        self.assertGreater(max(names["Dream"][0]), 0.05)
+
+    def test_off_unless_asked_for(self):
+        self.room()
+        names = render(TESTED_ENGINE, 1, 0, (8, 8), True).layers
+        self.assertFalse([name for name in names if "Mirror" in name or "Dream" in name])

@@ -40,6 +40,17 @@ void write_pixel(const PassInfo& pass, const PixelSums& sums, float exposure, fl
       out[1] = sums.normal.y * scale;
       out[2] = sums.normal.z * scale;
       break;
+    case PassId::mirror_world:
+      out[0] = static_cast<float>(sums.dream);
+      break;
+    case PassId::mirror_coverage:
+      out[0] = static_cast<float>(sums.dream_samples) * scale;
+      break;
+    case PassId::dream:
+      out[0] = sums.dream_radiance.r * (scale * exposure);
+      out[1] = sums.dream_radiance.g * (scale * exposure);
+      out[2] = sums.dream_radiance.b * (scale * exposure);
+      break;
   }
 }
 

@@ -18,6 +18,8 @@ struct FilmSample {
   float transparency = 0.0f;  // 1 - alpha
   float depth = 1e10f;        // metres
   Vec3 normal;                // world space
+  int dream = 0;              // seen first; 0 = none
+  Spectrum dream_radiance;    // part of `radiance`
 };
 
 // A rectangle of the film in pixels, y up.
@@ -25,19 +27,23 @@ struct FilmRect {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// Sums of the samples of one pixel. `depth` is that of the first sample: an average of depths would
-// be a place where nothing is.
+// Sums of the samples of one pixel. `depth` is that of the first sample, and `dream` that of the
+// first that saw one: an average of depths would be a place where nothing is.
 struct PixelSums {
   Spectrum radiance;
   float transparency = 0.0f;
   Vec3 normal;
   float depth = 1e10f;
   uint32_t samples = 0;
+  uint32_t dream = 0, dream_samples = 0;
+  Spectrum dream_radiance;
 
   void add(const FilmSample& sample) {
     radiance += sample.radiance;
     transparency += sample.transparency;
     normal += sample.normal;
+    dream_radiance += sample.dream_radiance;
+    if (sample.dream != 0 && dream_samples++ == 0) dream = static_cast<uint32_t>(sample.dream);
     if (samples++ == 0) depth = sample.depth;
   }
 };

@@ -24,8 +24,8 @@ TEST(Film, AveragesSamplesAndKeepsTheFirstDepth) {
   for (size_t i = 0; i < film.tiles().size(); ++i) {
     std::vector<PixelSums> sums = film.read_tile(i);
     for (PixelSums& pixel : sums) {
-      pixel.add({Spectrum(1.0f, 2.0f, 3.0f), 0.0f, 5.0f, {0.0f, 0.0f, 1.0f}});
-      pixel.add({Spectrum(3.0f, 2.0f, 1.0f), 0.5f, 9.0f, {0.0f, 1.0f, 0.0f}});
+      pixel.add({Spectrum(1.0f, 2.0f, 3.0f), 0.0f, 5.0f, {0.0f, 0.0f, 1.0f}, 0, {}});
+      pixel.add({Spectrum(3.0f, 2.0f, 1.0f), 0.5f, 9.0f, {0.0f, 1.0f, 0.0f}, 2, Spectrum(1.0f, 0.0f, 0.0f)});
     }
     film.write_tile(i, sums);
   }
@@ -34,12 +34,19 @@ TEST(Film, AveragesSamplesAndKeepsTheFirstDepth) {
   film.read(k_passes[0], rect, 2.0f, combined.data());
   film.read(k_passes[1], rect, 2.0f, depth.data());
   film.read(k_passes[2], rect, 2.0f, normal.data());
+  std::vector<float> dream(3 * 4), coverage(3 * 4), dream_radiance(3 * 4 * 3);
+  film.read(k_passes[3], rect, 2.0f, dream.data());
+  film.read(k_passes[4], rect, 2.0f, coverage.data());
+  film.read(k_passes[5], rect, 2.0f, dream_radiance.data());
   for (size_t i = 0; i < 12; ++i) {
     EXPECT_FLOAT_EQ(combined[4 * i], 4.0f);
     EXPECT_FLOAT_EQ(combined[4 * i + 2], 4.0f);
     EXPECT_FLOAT_EQ(combined[4 * i + 3], 0.75f);
     EXPECT_FLOAT_EQ(depth[i], 5.0f);
     EXPECT_FLOAT_EQ(normal[3 * i + 1], 0.5f);
+    EXPECT_FLOAT_EQ(dream[i], 2.0f);
+    EXPECT_FLOAT_EQ(coverage[i], 0.5f);
+    EXPECT_FLOAT_EQ(dream_radiance[3 * i], 1.0f);
   }
 }
 

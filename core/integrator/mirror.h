@@ -36,6 +36,7 @@ inline WorldIndex world_after_entering(const LookingGlass& glass, WorldIndex wor
 struct WorldGroup {
   LobeSet lobes;
   WorldIndex world = 0;
+  bool enters = false;  // goes through the glass
 };
 struct WorldGroups {
   WorldGroup keeping, entering;
@@ -48,7 +49,7 @@ inline WorldGroups world_groups(const LookingGlass& glass, const PathState& stat
   const WorldIndex here = state.info.world;
   const LobeSet entering = entering_lobes(glass, state);
   const LobeSet keeping{static_cast<uint8_t>(LobeSet::all().bits & ~entering.bits)};
-  return {{keeping, here}, {entering, world_after_entering(glass, here)}};
+  return {{keeping, here, false}, {entering, world_after_entering(glass, here), true}};
 }
 
 }  // namespace tenniel

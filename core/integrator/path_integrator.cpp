@@ -30,7 +30,7 @@ class PathTracer {
 
  private:
   bool start(Vec2 raster);
-  void add(Spectrum radiance, int bounces);
+  void add(Spectrum radiance, int bounces, bool is_through_glass);
   void add_lamps(float t_max);
   void add_background();
   void add_emission(const SurfaceInteraction& at);
@@ -41,7 +41,8 @@ class PathTracer {
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
   bool may_still_meet_light();
-  bool pass_through(const SurfaceInteraction& at, Spectrum weight, WorldIndex world);
+  bool pass_through(const SurfaceInteraction& at, Spectrum weight, const WorldGroup& group);
+  void enter(const WorldGroup& group);
 
   const Scene& scene_;
   const RenderSettings& settings_;
@@ -90,15 +91,17 @@ SampleResult PathTracer::trace(Vec2 raster) {
   return result_;
 }
 
-void PathTracer::add(Spectrum radiance, int bounces) {
-  result_.radiance += clamped(state_.throughput * radiance, bounces, settings_);
+void PathTracer::add(Spectrum radiance, int bounces, bool is_through_glass) {
+  const Spectrum seen = clamped(state_.throughput * radiance, bounces, settings_);
+  result_.radiance += seen;
+  if (is_through_glass) result_.dream_radiance += seen;
 }
 
 // Light met by chance counts as the bounce before it did.
 void PathTracer::add_lamps(float t_max) {
   if (scene_.hittable_lamps.empty()) return;
   const Spectrum radiance = lamps_met(scene_, state_, t_max, worker_);
-  if (!is_black(radiance)) add(radiance, state_.info.ray_depth - 1);
+  if (!is_black(radiance)) add(radiance, state_.info.ray_depth - 1, state_.has_entered);
 }
 
 void PathTracer::add_background() {
@@ -111,7 +114,7 @@ void PathTracer::add_background() {
     return;
   const Spectrum radiance =
       background_radiance(scene_, world, state_.ray.direction, state_.info, worker_.light);
-  add(radiance * background_weight(scene_, state_), state_.info.ray_depth - 1);
+  add(radiance * background_weight(scene_, state_), state_.info.ray_depth - 1, state_.has_entered);
 }
 
 void PathTracer::evaluate(const SurfaceInteraction& at) {
@@ -155,7 +158,8 @@ bool PathTracer::apply_holdout(const SurfaceInteraction& at) {
 void PathTracer::add_emission(const SurfaceInteraction& at) {
   const Spectrum emission = worker_.surface.emission;
   if (is_black(emission)) return;
-  add(emission * surface_emission_weight(scene_, state_, at), state_.info.ray_depth - 1);
+  add(emission * surface_emission_weight(scene_, state_, at), state_.info.ray_depth - 1,
+      state_.has_entered);
 }
 
 void PathTracer::record_first_surface(const SurfaceInteraction& at) {
@@ -182,15 +186,25 @@ void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint&
   for (const WorldGroup& group : {groups.keeping, groups.entering}) {
     if ((smooth & group.lobes).empty()) continue;
     const Spectrum radiance = direct_light(scene_, settings_, state_, group, point, worker_);
-    if (!is_black(radiance)) add(radiance, state_.info.ray_depth);
+    if (!is_black(radiance))
+      add(radiance, state_.info.ray_depth, state_.has_entered || group.enters);
   }
 }
 
+// Into the world that the lobes of `group` lead to.
+void PathTracer::enter(const WorldGroup& group) {
+  state_.info.world = group.world;
+  if (!group.enters) return;
+  if (!state_.has_entered && state_.is_specular_so_far) result_.dream = group.world;
+  state_.has_entered = true;
+}
+
 // Continues behind the surface as if it were not there.
-bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight, WorldIndex world) {
+bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight,
+                              const WorldGroup& group) {
   state_.throughput *= weight;
   ++state_.info.transparent_depth;
-  state_.info.world = world;
+  enter(group);
   state_.cone.radius = at.footprint;
   state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
   state_.ray.t_min = 0.0f;
@@ -204,15 +218,14 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   if (sees_emission_only(state_, settings_)) return false;
   const ShadingContext& context = worker_.surface;
   if (state_.ends_after_transparent) {
-    const WorldIndex world = groups.of(LobeClass::transparent).world;
-    return !is_black(context.transparency) && pass_through(at, context.transparency, world);
+    const WorldGroup& group = groups.of(LobeClass::transparent);
+    return !is_black(context.transparency) && pass_through(at, context.transparency, group);
   }
   const float u_lobe = worker_.sampler.get_1d();
   auto sample = context.bsdf.sample(u_lobe, worker_.sampler.get_2d());
   if (!sample) return false;
   const WorldGroup& group = groups.of(sample->lobe_class);
-  if (sample->lobe_class == LobeClass::transparent)
-    return pass_through(at, sample->weight, group.world);
+  if (sample->lobe_class == LobeClass::transparent) return pass_through(at, sample->weight, group);
 
   // Where lobes lead to different worlds a direction is worth what its own group makes of it.
   const bool is_mixed = !(context.bsdf.lobes() & groups.entering.lobes).empty();
@@ -224,8 +237,8 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   }
   state_.throughput *= sample->weight;
   if (!(max_component(state_.throughput) > 0.0f)) return false;
+  enter(group);
   count_bounce(state_, *sample, settings_);
-  state_.info.world = group.world;
   state_.pdf = sample->is_delta ? 0.0f : sample->pdf;
   if (!sample->is_delta) state_.min_pdf = std::min(state_.min_pdf, sample->pdf);
   state_.origin = point;

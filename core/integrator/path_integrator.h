@@ -15,6 +15,8 @@ struct SampleResult {
   float transparency = 0.0f;  // of the film: 1 - alpha
   float depth = 1e10f;        // Blender's value where nothing is hit
   Vec3 normal;                // world space; zero where nothing is hit
+  WorldIndex dream = 0;       // seen first, by itself or through mirrors and glass; 0 = none
+  Spectrum dream_radiance;    // what of `radiance` came through a looking glass
 };
 
 // Unidirectional path tracing with next-event estimation. Const; one Worker a thread.

@@ -28,6 +28,7 @@ struct PathState {
   float min_pdf = std::numeric_limits<float>::max();
   bool sees_background = true;     // nothing but transparent surfaces so far
   bool is_specular_so_far = true;  // only deltas and transparent surfaces so far
+  bool has_entered = false;        // has gone through a looking glass
   // A bounce limit is reached: only what passes through goes on.
   bool ends_after_transparent = false;
   uint32_t vertices = 0;  // surfaces met, transparent ones included

@@ -72,7 +72,7 @@ EnvironmentLight::EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance
       weight_sum += sine;
     }
   }
-  map_ = Distribution2D(values, width, height);
+  map_ = std::make_shared<const Distribution2D>(values, width, height);
   mean_ = static_cast<float>(sum / weight_sum);
   if (!sun_) return;
   const float from_sun = sun_brightness(*sun_, brightness) * one_minus_cos(*sun_) * 0.5f;
@@ -101,7 +101,7 @@ std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(const Shadin
   }
   if (sun_)
     u.x = std::min((u.x - sun_probability_) / (1.0f - sun_probability_), k_one_minus_epsilon);
-  const Distribution2D::Sample s = map_.sample(u);
+  const Distribution2D::Sample s = map_->sample(u);
   const float sine = std::sin(s.position.y * k_pi);
   if (!(sine > 0.0f) || !(s.pdf > 0.0f)) return {};
   const Vec3 wi = equirectangular_to_direction(s.position);
@@ -120,7 +120,7 @@ float EnvironmentLight::pdf(const ShadingPoint& point, Vec3 wi) const {
 float EnvironmentLight::map_pdf(Vec3 wi) const {
   const float sine = safe_sqrt(1.0f - sqr(wi.z));
   if (!(sine > 0.0f)) return 0.0f;
-  return map_.pdf(equirectangular_projection(wi)) / (2.0f * k_pi * k_pi * sine);
+  return map_->pdf(equirectangular_projection(wi)) / (2.0f * k_pi * k_pi * sine);
 }
 
 float EnvironmentLight::sun_pdf(Vec3 wi) const {

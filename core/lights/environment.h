@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "lights/light_types.h"
@@ -27,7 +28,9 @@ class EnvironmentLight {
   std::optional<Direction> sample(const ShadingPoint& point, Vec2 u) const;
   float pdf(const ShadingPoint& point, Vec3 wi) const;
 
-  bool is_constant() const { return map_.empty(); }
+  bool is_constant() const { return !map_; }
+  // Whether both aim by the same map, and not by an equal one.
+  bool shares_map_with(const EnvironmentLight& other) const { return map_ == other.map_; }
   Spectrum constant() const { return constant_; }
   float mean_radiance() const { return mean_; }
 
@@ -35,7 +38,8 @@ class EnvironmentLight {
   float map_pdf(Vec3 wi) const;
   float sun_pdf(Vec3 wi) const;
 
-  Distribution2D map_;  // x: u = 0.5 - atan2(y, x) / 2 pi; y: v = 1 - acos(z) / pi
+  // x: u = 0.5 - atan2(y, x) / 2 pi; y: v = 1 - acos(z) / pi. Shared by copies.
+  std::shared_ptr<const Distribution2D> map_;
   Spectrum constant_;
   float mean_ = 0.0f;
   std::optional<SunDisk> sun_;

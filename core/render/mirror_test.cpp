@@ -79,6 +79,34 @@ TEST(Mirror, BehindLookReplacesTheMaterialInDreams) {
   EXPECT_NEAR(mean_of(render(b.scene)).value, 3.0, 1e-4);
 }
 
+// Passes: which dream is seen first, by how much of the pixel, and what comes through the glass.
+TEST(Mirror, PassesTellWhatIsSeenInTheGlass) {
+  const auto mean_of_pass = [](const SceneDescription& scene, const char* name) {
+    const std::vector<float> values = render_pass(scene, name);
+    double sum = 0.0;
+    for (const float v : values)
+      sum += v;
+    return sum / static_cast<double>(values.size());
+  };
+  SceneBuilder b = glass_and_square(coated_mirror(0.0f), 3.0f);
+  b.scene.instances[0].looking_glass.dream = 2;
+  b.scene.settings.samples = 1024;
+  EXPECT_EQ(mean_of_pass(b.scene, "Mirror World"), 2.0);
+  // The mirror's share of the choice between the lobes, by their albedo.
+  EXPECT_NEAR(mean_of_pass(b.scene, "Mirror Coverage"), 0.36 / (0.36 + 0.36), 0.01);
+  const double through = mean_of_pass(b.scene, "Dream");
+  EXPECT_NEAR(through, 0.4 * 0.9 * 3.0, 0.02);
+  // Light on the matte part comes from this side.
+  b.world(1.0f);
+  b.dream_world(0.0f);
+  b.scene.worlds.push_back(b.scene.worlds[1]);
+  EXPECT_NEAR(mean_of_pass(b.scene, "Dream"), through, 0.02);
+  EXPECT_NEAR(mean_of(render(b.scene)).value, through + 0.6 * 0.6, 0.02);
+  b.scene.instances[0].looking_glass.dream = 0;
+  for (const char* name : {"Mirror World", "Mirror Coverage", "Dream"})
+    EXPECT_EQ(mean_of_pass(b.scene, name), 0.0) << name;
+}
+
 // Light that falls through the glass onto a floor: what a dream shows does light this side, but
 // only by reflection in the glass.
 TEST(Mirror, BehindLightReachesNothingWithoutTheGlass) {

@@ -112,7 +112,7 @@ class RenderLoop {
     const Vec2 raster{static_cast<float>(x) + 0.5f + offset.x,
                       static_cast<float>(y) + 0.5f + offset.y};
     const SampleResult r = integrator_.trace(raster, worker);
-    return {r.radiance, r.transparency, r.depth, r.normal};
+    return {r.radiance, r.transparency, r.depth, r.normal, r.dream, r.dream_radiance};
   }
 
   static bool is_usable(const FilmSample& s) {

@@ -151,7 +151,7 @@ void SceneCompiler::compile_materials() {
 
   if (description.worlds.empty()) description.worlds.emplace_back();
   for (size_t w = 0; w < worlds_in_use(); ++w) {
-    const WorldDesc& desc = description.worlds[w < description.worlds.size() ? w : 0];
+    const WorldDesc& desc = world_desc(static_cast<WorldIndex>(w));
     World& world = scene.worlds[w];
     world.visibility = Visibility::from_sets(1u << w, desc.visibility.ray_kinds);
     if (desc.graph.nodes.empty()) {

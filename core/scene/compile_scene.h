@@ -35,8 +35,13 @@ struct SceneCompiler {
   void compile_materials();  // also textures
   void compile_geometry();   // meshes, instances, acceleration structure
   void compile_lights();     // lamps, mesh lights, environments, light choice
+  void compile_environments(ShadingContext& context);
+  const EnvironmentLight* equal_environment(WorldIndex w) const;
+  EnvironmentLight baked_environment(WorldIndex w, ShadingContext& context) const;
   // 1 where no path can leave this side, else all.
   size_t worlds_in_use() const;
+  const WorldDesc& world_desc(WorldIndex w) const;
+
   bool is_cancelled() const { return control.cancelled && control.cancelled->load(); }
 };
 

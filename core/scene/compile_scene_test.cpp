@@ -151,6 +151,38 @@ TEST(CompileScene, DreamsHaveLightsOfTheirOwnOnlyWhereTheyCanBeReached) {
   EXPECT_FLOAT_EQ(c.scene->worlds[3].material.constant_emission.r, 1.0f);
 }
 
+// A world whose light is not the same in all directions; it may ask which world it is in.
+NodeGraph patterned_world(const char* asks_for) {
+  GraphBuilder g("sky", "ShaderNodeOutputWorld");
+  const uint32_t checker = g.add("ShaderNodeTexChecker");
+  const uint32_t back = g.add("ShaderNodeBackground");
+  g.link(checker, "Color", back, "Color").link(back, "Background", 0, "Surface");
+  if (asks_for) {
+    const uint32_t attribute =
+        g.add("ShaderNodeAttribute", {}, {{"attribute_name", std::string(asks_for)}});
+    g.link(attribute, "Fac", back, "Strength");
+  }
+  return g.build();
+}
+
+TEST(CompileScene, WorldsThatLookTheSameShareTheirMap) {
+  const auto shares = [](const char* asks_for, bool is_same) {
+    SceneBuilder b;
+    b.object(square(), mirror()).looking_glass.dream = 1;
+    b.scene.worlds[0].graph = patterned_world(asks_for);
+    b.scene.worlds.push_back(b.scene.worlds[0]);
+    if (!is_same) b.scene.worlds[1].graph.nodes[1].inputs["Scale"] = {7.0f};
+    const Compiled c = compile(b.scene);
+    const auto light = [&](WorldIndex w) {
+      return c.scene->lights[static_cast<size_t>(c.scene->worlds[w].light)].as<EnvironmentLight>();
+    };
+    return light(1)->shares_map_with(*light(0));
+  };
+  EXPECT_TRUE(shares(nullptr, true));
+  EXPECT_FALSE(shares(nullptr, false));
+  EXPECT_FALSE(shares("dream", true));
+}
+
 TEST(CompileScene, CameraMayBeWrongInItsClipNotInItsPlace) {
   SceneBuilder b;
   b.scene.camera.clip_start = 10.0f;

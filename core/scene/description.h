@@ -54,6 +54,8 @@ struct MeshDesc {
 struct VisibilityDesc {
   uint32_t worlds = 0x1f;
   uint32_t ray_kinds = 0x3f;
+
+  bool operator==(const VisibilityDesc&) const = default;
 };
 
 struct LookingGlassDesc {
@@ -118,6 +120,8 @@ struct WorldDesc {
   std::string sampling = "AUTOMATIC";  // NONE, AUTOMATIC, MANUAL
   int map_resolution = 1024;           // for MANUAL: height of the importance map
   int max_bounces = 1024;
+
+  bool operator==(const WorldDesc&) const = default;
 };
 
 struct ImageTileDesc {

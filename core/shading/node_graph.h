@@ -19,6 +19,8 @@ struct GraphNode {
   // RNA name -> value: enums as their identifier, ramps and curves as tables, images as the index
   // into SceneDescription::images, attribute names as text.
   std::map<std::string, SettingValue> settings;
+
+  bool operator==(const GraphNode&) const = default;
 };
 
 struct GraphLink {
@@ -26,6 +28,8 @@ struct GraphLink {
   std::string from_socket;  // identifier
   uint32_t to = 0;
   std::string to_socket;
+
+  bool operator==(const GraphLink&) const = default;
 };
 
 // Plain description of a shader tree. `output` is the Material / World / Light Output node.
@@ -34,6 +38,8 @@ struct NodeGraph {
   std::vector<GraphNode> nodes;
   std::vector<GraphLink> links;
   int output = -1;
+
+  bool operator==(const NodeGraph&) const = default;
 };
 
 }  // namespace tenniel

@@ -14,7 +14,7 @@ from . import material as materials
 from .context import CAMERA_BIT, GENERATED, Cancelled, matrix_rows, ray_kinds, world_bits
 from .light import export_light
 from .mesh import NO_MESH, export_mesh
-from .node_readers import INSTANCE_ATTRIBUTE_PREFIXES
+from .node_readers import CONDUCTOR, INSTANCE_ATTRIBUTE_PREFIXES
 from .settings import hash_string, hash_uint2
 
 _UINT_MAX = 0xffffffff
@@ -24,6 +24,16 @@ _NOT_RENDERED = {
     'POINTCLOUD': "Point clouds are not rendered",
     'VOLUME': "Volumes are not rendered",
 }
+
+# Nodes with lobes that a path may enter a dream by.
+_REFLECTING = frozenset({'ShaderNodeBsdfGlossy', 'ShaderNodeBsdfAnisotropic', 'ShaderNodeBsdfGlass',
+                         'ShaderNodeBsdfPrincipled', CONDUCTOR})
+_TRANSMITTING = frozenset({'ShaderNodeBsdfGlass', 'ShaderNodeBsdfRefraction',
+                           'ShaderNodeBsdfTransparent', 'ShaderNodeBsdfPrincipled'})
+_ENTERING = {'REFLECTION': _REFLECTING, 'TRANSMISSION': _TRANSMITTING,
+             'BOTH': _REFLECTING | _TRANSMITTING}
+_ENTRY_WORDS = {'REFLECTION': "reflects", 'TRANSMISSION': "lets light through",
+                'BOTH': "reflects or lets light through"}
 
 # `break` asked for this often costs less than a percent of the walk.
 _OBJECTS_PER_BREAK_TEST = 64
@@ -140,7 +150,7 @@ class _Walker:
         desc.color = tuple(obj.color)
         desc.pass_index = obj.pass_index
         desc.is_holdout = self._layer_flag(instance, obj, 'holdout_get')
-        self._set_looking_glass(desc, obj, tags)
+        self._set_looking_glass(desc, obj, tags, front)
         self._report_limits(obj)
         attributes = frozenset().union(*(item.instance_attributes for item in used))
         return _Template(desc, tuple(sorted(attributes)))
@@ -152,13 +162,17 @@ class _Walker:
             return mesh
         return None
 
-    def _set_looking_glass(self, desc, obj, tags):
+    def _set_looking_glass(self, desc, obj, tags, materials_used):
         context = self._context
         if tags.side == 'BEHIND':
             context.behind_objects.append(obj.name)
         if not tags.looking_glass or context.mirror_view == 'THIS_SIDE':
             return
         context.has_looking_glass = True
+        lobes = frozenset().union(*(item.node_types for item in materials_used))
+        if not lobes & _ENTERING[tags.entry]:
+            self._report_once(obj.name, "No material of this looking glass "
+                              f"{_ENTRY_WORDS[tags.entry]}: it shows no dream")
         desc.dream = context.dream_index(tags.dream, obj.name)
         desc.entry = tags.entry
         desc.reentry = tags.reenter

@@ -10,10 +10,12 @@ DEFAULT_MATERIAL = -1
 
 class ExportedMaterial(NamedTuple):
     """index: in the description. attributes: names it reads from meshes.
-    instance_attributes: (attribute type, name) it reads from what is not geometry."""
+    instance_attributes: (attribute type, name) it reads from what is not geometry.
+    node_types: of the nodes its surface is made of."""
     index: int
     attributes: FrozenSet[str]
     instance_attributes: FrozenSet[tuple]
+    node_types: FrozenSet[str] = frozenset()
 
 
 class ExportedTree(NamedTuple):
@@ -74,7 +76,8 @@ def _add(context, material):
     desc.graph = tree.graph
     return ExportedMaterial(context.description.add_material(desc),
                             frozenset(tree.needs.attributes),
-                            frozenset(tree.needs.instance_attributes))
+                            frozenset(tree.needs.instance_attributes),
+                            frozenset(tree.needs.node_types))
 
 
 def _viewport_look(context, material):

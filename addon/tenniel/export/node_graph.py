@@ -104,6 +104,7 @@ class _Flattener:
         if index is None:
             label = '/'.join((*scope.path, node.name))
             index = self._indices[key] = self._graph.add_node(self._type_of(node), label)
+            self._needs.node_types.add(self._type_of(node))
             self._has_alpha_switch[index] = self._knows(node, 'alpha_is_linked')
             self._waiting.append((scope, node, index))
         return index

@@ -38,9 +38,11 @@ _WITHOUT_COORDINATE = {'ShaderNodeTexImage', 'ShaderNodeTexEnvironment', 'Shader
 
 @dataclass
 class Needs:
-    """What a tree reads of the mesh (attribute names) and of the instance ((type, name))."""
+    """What a tree reads of the mesh (attribute names) and of the instance ((type, name)), and the
+    types of its nodes."""
     attributes: Set[str] = field(default_factory=set)
     instance_attributes: Set[tuple] = field(default_factory=set)
+    node_types: Set[str] = field(default_factory=set)
 
 
 def read(context, node, known, needs, report):

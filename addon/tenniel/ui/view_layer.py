@@ -6,6 +6,7 @@ from bpy.types import Panel
 from .base import PropertiesPanel, property_column, register_classes, unregister_classes
 
 _PASSES = ('use_pass_combined', 'use_pass_z', 'use_pass_normal')
+_MIRROR_PASSES = ('use_pass_mirror_world', 'use_pass_dream')
 
 
 class TENNIEL_VIEWLAYER_PT_passes(PropertiesPanel, Panel):
@@ -16,6 +17,9 @@ class TENNIEL_VIEWLAYER_PT_passes(PropertiesPanel, Panel):
         column = property_column(self.layout).column(heading="Include", align=True)
         for name in _PASSES:
             column.prop(context.view_layer, name)
+        column = property_column(self.layout).column(heading="Magic Mirror", align=True)
+        for name in _MIRROR_PASSES:
+            column.prop(context.view_layer.tenniel, name)
 
 
 _CLASSES = (TENNIEL_VIEWLAYER_PT_passes,)
