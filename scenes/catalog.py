@@ -3,6 +3,7 @@
 
 SCENES = {
     "looking_glass": "a still life before a mirror that shows another world (the main scene)",
+    "looking_glass_evening": "the same table by candlelight",
     "bench_room": "closed diffuse room, nine monkeys, 567 k triangles, one area lamp; for timing",
     "material_grid": "one sphere for each closure and texture, lit by an HDRI",
     "veach_mis": "four glossy plates under four lights: light and BSDF sampling must share",
@@ -11,4 +12,4 @@ SCENES = {
 
 if __name__ == "__main__":
     for name, summary in SCENES.items():
-        print(f"{name:<14} {summary}")
+        print(f"{name:<22} {summary}")

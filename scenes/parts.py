@@ -48,9 +48,12 @@ class Nodes:
         image.colorspace_settings.name = 'Non-Color' if data else 'sRGB'
         return self.add("TexImage", image=image, **settings)
 
-    def surface(self, shader):
-        """Ends the tree: `shader` is what the surface looks like."""
-        return self.add("OutputMaterial", {"Surface": shader})
+    def surface(self, shader, volume=None):
+        """Ends the tree: `shader` is what the surface looks like, `volume` what is inside."""
+        ends = {"Surface": shader}
+        if volume is not None:
+            ends["Volume"] = volume
+        return self.add("OutputMaterial", ends)
 
 
 def new_material(name):

@@ -32,7 +32,7 @@ def copy_of(item, location, rotation=None, scale=1.0):
     return other
 
 
-def _mesh(name, builder, smooth):
+def finished_mesh(name, builder, smooth):
     """Mesh from a bmesh; `smooth` shades it so, up to the angle of auto smooth."""
     bmesh.ops.recalc_face_normals(builder, faces=builder.faces)
     mesh = bpy.data.meshes.new(name)
@@ -77,7 +77,7 @@ def box(name, size, material, bevel=0.0, uv_scale=1.0, **placing):
         u, v = [k for k in range(3) if k != axis]
         for loop in face.loops:
             loop[layer].uv = (loop.vert.co[u] * uv_scale, loop.vert.co[v] * uv_scale)
-    return add_object(name, _mesh(name, builder, bevel > 0.0), material, **placing)
+    return add_object(name, finished_mesh(name, builder, bevel > 0.0), material, **placing)
 
 
 def sphere(name, radius, material, segments=48, **placing):
@@ -85,7 +85,7 @@ def sphere(name, radius, material, segments=48, **placing):
     builder.loops.layers.uv.new("UVMap")
     bmesh.ops.create_uvsphere(builder, u_segments=segments, v_segments=segments // 2,
                               radius=radius, calc_uvs=True)
-    item = add_object(name, _mesh(name, builder, True), material, **placing)
+    item = add_object(name, finished_mesh(name, builder, True), material, **placing)
     item.data.use_auto_smooth = False
     return item
 
@@ -116,7 +116,7 @@ def lathe(name, profile, material, segments=64, **placing):
             face = builder.faces.new([c[0] for c in unique])
             for loop, (_, column, v) in zip(face.loops, unique):
                 loop[layer].uv = (column / segments, v)
-    return add_object(name, _mesh(name, builder, True), material, **placing)
+    return add_object(name, finished_mesh(name, builder, True), material, **placing)
 
 
 def smooth_profile(points, steps=6):
@@ -155,7 +155,7 @@ def frame(name, size, profile, material, **placing):
             v0, v1 = k / len(profile), (k + 1) / len(profile)
             for loop, uv in zip(face.loops, ((0, v0), (length, v0), (length, v1), (0, v1))):
                 loop[layer].uv = uv
-    return add_object(name, _mesh(name, builder, True), material, **placing)
+    return add_object(name, finished_mesh(name, builder, True), material, **placing)
 
 
 def outline(name, points, thickness, materials, uv_size, **placing):
@@ -176,7 +176,7 @@ def outline(name, points, thickness, materials, uv_size, **placing):
             x, y, _ = loop.vert.co
             loop[layer].uv = ((0.5 + x / uv_size[0]) if index != 1 else (0.5 - x / uv_size[0]),
                               0.5 + y / uv_size[1])
-    return add_object(name, _mesh(name, builder, False), materials, **placing)
+    return add_object(name, finished_mesh(name, builder, False), materials, **placing)
 
 
 def rounded_rectangle(width, height, radius, steps=5):
@@ -216,7 +216,7 @@ def rosette(name, radius, petals, relief, material, **placing):
                 loop[layer].uv = (0.5 + loop.vert.co.x / (2 * radius),
                                   0.5 + loop.vert.co.z / (2 * radius))
     bmesh.ops.remove_doubles(builder, verts=builder.verts, dist=1e-6)
-    item = add_object(name, _mesh(name, builder, True), material, **placing)
+    item = add_object(name, finished_mesh(name, builder, True), material, **placing)
     item.data.use_auto_smooth = False
     return item
 
@@ -247,7 +247,7 @@ def monkey_mesh(name, levels):
     builder = bmesh.new()
     builder.loops.layers.uv.new("UVMap")
     bmesh.ops.create_monkey(builder)
-    base = _mesh(name, builder, True)
+    base = finished_mesh(name, builder, True)
     base.use_auto_smooth = False
     item = add_object(name, base)
     modifier = item.modifiers.new("Subdivision", 'SUBSURF')
@@ -258,3 +258,22 @@ def monkey_mesh(name, levels):
     bpy.data.meshes.remove(base)
     mesh.name = name
     return mesh
+
+
+def wire(name, points, radius, material, smooth=True, **placing):
+    """A round wire through `points`; `radius` is one number or one for each point."""
+    curve = bpy.data.curves.new(name, 'CURVE')
+    curve.dimensions = '3D'
+    curve.bevel_depth = 1.0
+    curve.bevel_resolution = 4
+    curve.use_fill_caps = True
+    radii = radius if isinstance(radius, (list, tuple)) else [radius] * len(points)
+    spline = curve.splines.new('BEZIER' if smooth else 'POLY')
+    knots = spline.bezier_points if smooth else spline.points
+    knots.add(len(points) - 1)
+    for knot, point, thickness in zip(knots, points, radii):
+        knot.co = point if smooth else (*point, 1.0)
+        knot.radius = thickness
+        if smooth:
+            knot.handle_left_type = knot.handle_right_type = 'AUTO'
+    return add_object(name, curve, material, **placing)
