@@ -5,6 +5,7 @@
 #include <set>
 
 #include "geometry/connectivity.h"
+#include "geometry/pointiness.h"
 #include "math/hash.h"
 #include "scene/compile_scene.h"
 #include "shading/nodes/attribute_names.h"
@@ -71,6 +72,21 @@ void add_islands(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids) {
     if (vertex < parts.size()) values[polygon] = uint_to_unit_closed(hash_uint(parts[vertex]));
   }
   mesh.attributes.push_back({k_random_per_island, AttributeDomain::face, 1, std::move(values)});
+}
+
+// The exporter's vertex normals become what is asked for.
+void make_pointiness(Mesh& mesh, const MeshDesc& desc) {
+  for (Attribute& a : mesh.attributes) {
+    if (a.name != k_pointiness) continue;
+    std::vector<Vec3> normals;
+    for (size_t i = 0; i + 2 < a.data.size(); i += 3)
+      normals.push_back({a.data[i], a.data[i + 1], a.data[i + 2]});
+    const bool is_complete =
+        a.channels == 3 && desc.edge_vertices && normals.size() >= mesh.positions.size();
+    a.data = is_complete ? pointiness(mesh.positions, normals, *desc.edge_vertices)
+                         : std::vector<float>(mesh.positions.size(), 0.5f);
+    a.channels = 1;
+  }
 }
 
 // Keeps the attributes that some program asks for.
@@ -201,6 +217,7 @@ void SceneCompiler::compile_geometry() {
     move_edge_values(meshes[i]);
     add_attributes(mesh, meshes[i], attributes, diagnostics);
     add_islands(mesh, meshes[i], attributes);
+    make_pointiness(mesh, meshes[i]);
     make_tangents(mesh, tangents[i]);
     index_attributes(mesh, attributes);
     if (mesh.dropped_faces > 0)

@@ -92,6 +92,7 @@ void insert_conversions(ShaderIr& ir, const CompileContext& context) {
 void insert_implicit_inputs(ShaderIr& ir, const CompileContext& context) {
   ImplicitSource generated("ShaderNodeTexCoord", "Generated");
   ImplicitSource uv("ShaderNodeTexCoord", "UV");
+  ImplicitSource object_normal("ShaderNodeTexCoord", "Normal");
   // Position is the direction in a World.
   ImplicitSource direction("ShaderNodeNewGeometry", "Position");
   for (size_t n = 0, count = ir.nodes.size(); n < count; ++n) {
@@ -108,6 +109,9 @@ void insert_implicit_inputs(ShaderIr& ir, const CompileContext& context) {
           break;
         case ImplicitInput::direction:
           source = direction.get(ir, context);
+          break;
+        case ImplicitInput::object_normal:
+          source = object_normal.get(ir, context);
           break;
         default:
           break;

@@ -42,6 +42,8 @@ const NodeRegistry& node_registry() {
     register_converter_nodes(all);
     register_input_nodes(all);
     register_coordinate_nodes(all);
+    register_info_nodes(all);
+    register_lamp_nodes(all);
     register_image_nodes(all);
     register_pattern_nodes(all);
     register_sky_nodes(all);

@@ -34,7 +34,15 @@ struct ProgramInput {
 
 // What feeds an input that has no link: its own value, or a coordinate that Blender implies.
 // `normal` and `tangent` stay unlinked: the node reads them by ShadingContext::normal.
-enum class ImplicitInput : uint8_t { none, normal, tangent, generated, uv, direction };
+enum class ImplicitInput : uint8_t {
+  none,
+  normal,
+  tangent,
+  generated,
+  uv,
+  direction,
+  object_normal
+};
 
 // Members that are filled from outside the socket system.
 struct ImageSlot {

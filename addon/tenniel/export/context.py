@@ -12,6 +12,8 @@ ACTIVE_UV = ''
 ACTIVE_COLOR = '\x01color'
 GENERATED = '\x01generated'
 ISLAND = '\x01island'
+# Vertex normals, of which the core makes the Pointiness of the Geometry node.
+POINTINESS = '\x01pointiness'
 
 # Bits of `ray_kinds`, in the core's order, by the object flag that switches them.
 RAY_KIND_FLAGS = ('visible_camera', 'visible_diffuse', 'visible_glossy', 'visible_transmission',

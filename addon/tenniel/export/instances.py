@@ -223,7 +223,13 @@ class _Walker:
     def _instance_attributes(self, instance, obj, wanted):
         context = self._context
         values = {}
+        particle = _particle_values(context, instance) if any(
+            kind == 'PARTICLE' for kind, _ in wanted) else {}
         for kind, name in wanted:
+            if kind == 'PARTICLE':
+                if name in particle:
+                    values[INSTANCE_ATTRIBUTE_PREFIXES[kind] + name] = particle[name]
+                continue
             if kind == 'VIEW_LAYER':
                 owners = [context.view_layer, context.scene, context.scene.world]
             else:
@@ -263,6 +269,22 @@ def _random(instance, obj):
     else:
         number = hash_uint2(hash_string(obj.name), 0)
     return number / _UINT_MAX
+
+
+def _particle_values(context, instance):
+    """What the Particle Info node asks of the particle that made this instance, or {}."""
+    system = instance.particle_system if instance.is_instance else None
+    index = instance.persistent_id[0]
+    if system is None or index >= len(system.particles):
+        return {}
+    particle = system.particles[index]
+    age = context.scene.frame_current_final - particle.birth_time
+    return {
+        'numbers': (float(index), age, particle.lifetime, particle.size),
+        'location': (*particle.location, 0.0),
+        'velocity': (*particle.velocity, 0.0),
+        'angular_velocity': (*particle.angular_velocity, 0.0),
+    }
 
 
 def _find_value(owners, name):

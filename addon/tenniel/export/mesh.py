@@ -8,7 +8,7 @@ Blender's own arrays: any other type makes the call about ten times slower.
 from array import array
 
 from . import compat
-from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND
+from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND, POINTINESS
 
 # Data type of an attribute -> (property of its elements, channels, whether it holds floats).
 _ATTRIBUTE_TYPES = {
@@ -56,7 +56,7 @@ def _describe(context, mesh, original, attribute_names, has_slots):
                                         mesh.polygons, 'material_index')
     _set_normals(core, desc, mesh)
     desc.attributes = _attributes(core, mesh, original, attribute_names)
-    if ISLAND in attribute_names or any(a.domain == 'EDGE' for a in desc.attributes):
+    if {ISLAND, POINTINESS} & attribute_names or any(a.domain == 'EDGE' for a in desc.attributes):
         desc.edge_vertices = _filled(core.UIntBuffer(2 * len(mesh.edges)), mesh.edges, 'vertices')
     # Modifiers leave it as it was, but the mesh they make may have lost it.
     source = original or mesh
@@ -100,6 +100,9 @@ def _attributes(core, mesh, original, names):
     for name in sorted(names - {ISLAND}):
         if name == GENERATED:
             desc = _undeformed(core, mesh, original)
+        elif name == POINTINESS:
+            desc = _new(core, name, 'POINT', 3, len(mesh.vertices))
+            mesh.vertex_normals.foreach_get('vector', desc.data)
         else:
             desc = _named(core, mesh, name)
         if desc is not None:

@@ -8,9 +8,10 @@ also note in `Needs` what a node wants from meshes and instances.
 from dataclasses import dataclass, field
 from typing import Set
 
+import bpy
 from mathutils import Matrix
 
-from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND, matrix_rows
+from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND, POINTINESS, matrix_rows
 from .image import export_image
 
 # Entries of ramp and curve tables, as in Cycles.
@@ -21,6 +22,7 @@ INSTANCE_ATTRIBUTE_PREFIXES = {
     'OBJECT': '\x01object:',
     'INSTANCER': '\x01instancer:',
     'VIEW_LAYER': '\x01layer:',
+    'PARTICLE': '\x01particle:',
 }
 
 # The core's own conductor, which stands for the group of a metal (presets/groups.py), and its
@@ -114,6 +116,19 @@ def _mapping_matrix(mapping):
     return matrix @ axes
 
 
+def _ies(_context, node, _needs, report):
+    """The text itself; an empty one is what Blender shows a bright spot for."""
+    if node.mode == 'INTERNAL':
+        return {'text': node.ies.as_string() if node.ies else ''}
+    path = bpy.path.abspath(node.filepath, library=node.id_data.library)
+    try:
+        with open(path, encoding='latin-1') as file:
+            return {'text': file.read()}
+    except OSError as error:
+        report(f"The IES file cannot be read: {error.strerror}", file=path)
+        return {}
+
+
 def _sky(_context, node, _needs, _report):
     return {'sun_direction': tuple(node.sun_direction)}
 
@@ -174,11 +189,17 @@ def _texture_coordinate(context, node, needs, _report):
     return {'object_transform': matrix_rows(world.inverted_safe())}
 
 
-def _geometry(_context, node, needs, report):
+def _geometry(_context, node, needs, _report):
     if node.outputs['Random Per Island'].is_linked:
         needs.attributes.add(ISLAND)
     if node.outputs['Pointiness'].is_linked:
-        report("Pointiness is not supported; it is that of a flat surface")
+        needs.attributes.add(POINTINESS)
+    return {}
+
+
+def _particle_info(_context, _node, needs, _report):
+    needs.instance_attributes.update(
+        ('PARTICLE', name) for name in ('numbers', 'location', 'velocity', 'angular_velocity'))
     return {}
 
 
@@ -215,6 +236,8 @@ _READERS = {
     'ShaderNodeTexImage': _image,
     'ShaderNodeTexEnvironment': _image,
     'ShaderNodeTexSky': _sky,
+    'ShaderNodeTexIES': _ies,
+    'ShaderNodeParticleInfo': _particle_info,
     'ShaderNodeValToRGB': _color_ramp,
     'ShaderNodeRGBCurve': _color_curves,
     'ShaderNodeVectorCurve': _vector_curves,

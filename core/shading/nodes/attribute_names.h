@@ -13,6 +13,16 @@ constexpr const char* k_undeformed = "\x01generated";
 // A number for each polygon, the same all over a connected part.
 constexpr const char* k_random_per_island = "\x01island";
 
+// A number for each vertex: how far it sticks out. The exporter sends the vertex normals in its
+// place.
+constexpr const char* k_pointiness = "\x01pointiness";
+
+// Of an instance that stands for a particle: (index, age, lifetime, size), and vectors.
+constexpr const char* k_particle_numbers = "\x01particle:numbers";
+constexpr const char* k_particle_location = "\x01particle:location";
+constexpr const char* k_particle_velocity = "\x01particle:velocity";
+constexpr const char* k_particle_angular_velocity = "\x01particle:angular_velocity";
+
 // Attribute nodes of every type and tree: 0 on this side, 1 in a dream; and the world's index.
 constexpr const char* k_behind_mirror = "behind_mirror";
 constexpr const char* k_dream = "dream";

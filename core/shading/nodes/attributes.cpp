@@ -17,6 +17,14 @@ std::optional<std::array<float, 4>> mesh_attribute(const ShadingContext& context
   return value;
 }
 
+std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& context, int id) {
+  const Instance* instance = context.surface.instance;
+  if (!instance) return std::nullopt;
+  for (const auto& [attribute, value] : instance->object_attributes)
+    if (attribute == id) return value;
+  return std::nullopt;
+}
+
 Vec3 uv_attribute(const ShadingContext& context, int id) {
   const auto value = mesh_attribute(context, id);
   return value ? Vec3{(*value)[0], (*value)[1], 0.0f} : Vec3{};
@@ -46,14 +54,6 @@ std::optional<float> mirror_attribute(const std::string& name, WorldIndex world)
   return std::nullopt;
 }
 
-std::optional<Rgba> object_attribute(const ShadingContext& context, int id) {
-  const Instance* instance = context.surface.instance;
-  if (!instance) return std::nullopt;
-  for (const auto& [attribute, value] : instance->object_attributes)
-    if (attribute == id) return value;
-  return std::nullopt;
-}
-
 struct AttributeNode {
   Output<Spectrum> color;
   Output<Vec3> vector;
@@ -67,7 +67,7 @@ struct AttributeNode {
       return {*mirror, *mirror, *mirror, 1.0f};
     if (type == AttributeType::geometry)
       return mesh_attribute(context, attribute.id).value_or(Rgba{0.0f, 0.0f, 0.0f, 1.0f});
-    return object_attribute(context, attribute.id).value_or(Rgba{});
+    return instance_attribute(context, attribute.id).value_or(Rgba{});
   }
 
   // The mean, but of two numbers (a UV) the first.

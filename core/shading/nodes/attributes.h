@@ -14,6 +14,9 @@ class NodeRegistry;
 // lacks it or nothing is hit. Numbers are spread over the three channels.
 std::optional<std::array<float, 4>> mesh_attribute(const ShadingContext& context, int id);
 
+// The attribute `id` that this instance was given.
+std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& context, int id);
+
 // UV of the attribute `id`, or (0, 0, 0).
 Vec3 uv_attribute(const ShadingContext& context, int id);
 

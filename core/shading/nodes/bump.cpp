@@ -10,6 +10,15 @@
 #include "shading/nodes/register.h"
 
 namespace tenniel {
+
+// Where a height curves, a finite difference shows its directions: these are Blender's.
+Frame differential_frame(Vec3 normal) {
+  const Vec3 diagonal = std::abs(normal.x - normal.y) + std::abs(normal.x - normal.z) > 0.0f
+                            ? Vec3{1.0f, 1.0f, 1.0f}
+                            : Vec3{-1.0f, 1.0f, 1.0f};
+  return Frame::from_normal_tangent(normal, cross(diagonal, normal));
+}
+
 namespace {
 
 // Distance of the shifted points: the width of a pixel, and never so little that the heights of
@@ -20,20 +29,12 @@ float bump_step(const SurfaceInteraction& surface) {
   return std::max(2.0f * surface.footprint, 1e-5f * extent);
 }
 
-// Where a height curves, a finite difference shows its directions: these are Blender's.
-Frame bump_frame(Vec3 normal) {
-  const Vec3 diagonal = std::abs(normal.x - normal.y) + std::abs(normal.x - normal.z) > 0.0f
-                            ? Vec3{1.0f, 1.0f, 1.0f}
-                            : Vec3{-1.0f, 1.0f, 1.0f};
-  return Frame::from_normal_tangent(normal, cross(diagonal, normal));
-}
-
 // Runs `program` at the point and at two points beside it; `read` takes the height from the
 // context.
 template <class Read>
 BumpSample sample_heights(ShadingContext& context, const Program& program, Read read) {
   const SurfaceInteraction here = context.surface;
-  const Frame frame = bump_frame(here.geometric_normal);
+  const Frame frame = differential_frame(here.geometric_normal);
   const float step = bump_step(here);
   BumpSample sample;
   sample.step_x = frame.x * step;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "math/frame.h"
 #include "shading/node_type.h"
 #include "shading/program.h"
 
@@ -17,6 +18,9 @@ struct BumpSample {
 // Mikkelsen 2010, "Bump Mapping Unparametrized Surfaces on the GPU": `normal` (unit) tilted against
 // the gradient of the heights. `scale` multiplies heights; `strength` mixes with `normal`.
 Vec3 bump_normal(const BumpSample& sample, Vec3 normal, float scale, float strength);
+
+// The two directions along the surface that Blender differentiates in; z is `normal`.
+Frame differential_frame(Vec3 normal);
 
 struct BumpNode {
   Input<float> strength{1.0f}, distance{1.0f};

@@ -27,7 +27,7 @@ struct ValueNode {
 struct GeometryNode {
   Output<Vec3> position, normal, tangent, true_normal, incoming, parametric;
   Output<float> back_facing, pointiness, random_per_island;
-  AttributeSlot island{k_random_per_island};
+  AttributeSlot island{k_random_per_island}, vertex_pointiness{k_pointiness};
 
   void eval(ShadingContext& context) const {
     const SurfaceInteraction& surface = context.surface;
@@ -40,8 +40,10 @@ struct GeometryNode {
     context.set(incoming, surface.wo);
     if (parametric.used()) context.set(parametric, parametric_of(surface));
     context.set(back_facing, surface.is_back_facing ? 1.0f : 0.0f);
-    // Not known of a mesh here: what Blender gives a flat one.
-    context.set(pointiness, 0.5f);
+    if (pointiness.used()) {
+      const auto value = mesh_attribute(context, vertex_pointiness.id);
+      context.set(pointiness, value ? (*value)[0] : 0.0f);
+    }
     if (random_per_island.used()) {
       const auto value = mesh_attribute(context, island.id);
       context.set(random_per_island, value ? (*value)[0] : 0.0f);
@@ -188,6 +190,7 @@ void register_geometry(NodeRegistry& registry) {
       .output("Pointiness", &GeometryNode::pointiness)
       .output("Random Per Island", &GeometryNode::random_per_island)
       .setting("island", &GeometryNode::island)
+      .setting("vertex_pointiness", &GeometryNode::vertex_pointiness)
       .varying();
   registry.add<ObjectInfoNode>("ShaderNodeObjectInfo")
       .output("Location", &ObjectInfoNode::location)

@@ -13,6 +13,8 @@ void register_color_nodes(NodeRegistry& registry);
 void register_converter_nodes(NodeRegistry& registry);
 void register_input_nodes(NodeRegistry& registry);
 void register_coordinate_nodes(NodeRegistry& registry);
+void register_info_nodes(NodeRegistry& registry);
+void register_lamp_nodes(NodeRegistry& registry);
 void register_image_nodes(NodeRegistry& registry);
 void register_pattern_nodes(NodeRegistry& registry);
 void register_sky_nodes(NodeRegistry& registry);
