@@ -25,7 +25,12 @@ TEST(Film, AveragesSamplesAndKeepsTheFirstDepth) {
     std::vector<PixelSums> sums = film.read_tile(i);
     for (PixelSums& pixel : sums) {
       pixel.add({Spectrum(1.0f, 2.0f, 3.0f), 0.0f, 5.0f, {0.0f, 0.0f, 1.0f}, 0, {}});
-      pixel.add({Spectrum(3.0f, 2.0f, 1.0f), 0.5f, 9.0f, {0.0f, 1.0f, 0.0f}, 2, Spectrum(1.0f, 0.0f, 0.0f)});
+      pixel.add({Spectrum(3.0f, 2.0f, 1.0f),
+                 0.5f,
+                 9.0f,
+                 {0.0f, 1.0f, 0.0f},
+                 2,
+                 Spectrum(1.0f, 0.0f, 0.0f)});
     }
     film.write_tile(i, sums);
   }

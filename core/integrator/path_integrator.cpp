@@ -228,7 +228,9 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   if (sample->lobe_class == LobeClass::transparent) return pass_through(at, sample->weight, group);
 
   // Where lobes lead to different worlds a direction is worth what its own group makes of it.
-  const bool is_mixed = !(context.bsdf.lobes() & groups.entering.lobes).empty();
+  const LobeSet lobes = context.bsdf.lobes();
+  const bool is_mixed =
+      !(lobes & groups.entering.lobes).empty() && !(lobes & groups.keeping.lobes).empty();
   if (is_mixed && !sample->is_delta) {
     const BsdfEval own = context.bsdf.eval(sample->wi, group.lobes, group.lobes);
     if (!(own.pdf > 0.0f)) return false;
