@@ -24,6 +24,7 @@ struct MediumProperties {
     sigma_s += s;
     phase.add(s, std::isfinite(g) ? g : 0.0f);
   }
+  void add_emission(Spectrum radiance) { emission += usable(radiance); }
   void add(const MediumProperties& other) {
     sigma_a += other.sigma_a;
     sigma_s += other.sigma_s;

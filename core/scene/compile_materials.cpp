@@ -131,7 +131,8 @@ void SceneCompiler::compile_materials() {
     material.name = graph.name;
     scene.register_count =
         std::max({scene.register_count, material.surface.register_count(),
-                  material.transparency.register_count(), material.emission.register_count()});
+                  material.transparency.register_count(), material.emission.register_count(),
+                  material.volume.register_count()});
     return material;
   };
 

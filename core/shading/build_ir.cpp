@@ -16,8 +16,9 @@ constexpr const char* k_pass_through_shader = "ShaderNodeBsdfTransparent";
 // reported.
 class IrBuilder {
  public:
-  IrBuilder(const NodeGraph& graph, const CompileContext& context)
+  IrBuilder(const NodeGraph& graph, const CompileContext& context, ShaderRoot root)
       : graph_(graph),
+        root_(root),
         context_(context),
         registry_(context.registry ? *context.registry : node_registry()),
         ids_(graph.nodes.size(), k_unvisited),
@@ -35,7 +36,9 @@ class IrBuilder {
       for (size_t link : links_to_[node])
         resolve(graph_.links[link]);
     }
-    if (domain == ShaderDomain::surface && ir_.has_volume && !ir_.has_surface) pass_through();
+    if (domain == ShaderDomain::surface && root_ == ShaderRoot::surface && ir_.has_volume &&
+        !ir_.has_surface)
+      pass_through();
     return std::move(ir_);
   }
 
@@ -88,7 +91,6 @@ class IrBuilder {
     }
     if (to == ir_.output && skips(link.to_socket)) return;
     const bool is_closure = inputs[input].type == SocketType::closure;
-    if (to == ir_.output && is_closure) ir_.has_surface = true;
     const int from = visit(link.from);
     if (from != k_unknown)
       ir_.link(to, input, output_link(from, link.from_socket));
@@ -96,13 +98,12 @@ class IrBuilder {
       ir_.link(to, input, stand_in(link.from));
   }
 
-  // Parts of the output node that lead to nothing this compiler makes.
+  // Parts of the output node that lead elsewhere than to the root, or to nothing at all.
   bool skips(const std::string& socket) {
-    if (socket == "Volume") {
-      ir_.has_volume = true;
-      report(context_, ir_.at(ir_.output).name, "volumes are not supported yet and left out");
-    }
-    return socket == "Volume" || socket == "Thickness";
+    if (socket == "Surface") ir_.has_surface = true;
+    if (socket == "Volume") ir_.has_volume = true;
+    return root_ == ShaderRoot::volume ? socket != "Volume"
+                                       : socket == "Volume" || socket == "Thickness";
   }
 
   IrLink output_link(int from, const std::string& socket) {
@@ -132,6 +133,7 @@ class IrBuilder {
   }
 
   const NodeGraph& graph_;
+  const ShaderRoot root_;
   const CompileContext& context_;
   const NodeRegistry& registry_;
   std::vector<int> ids_;
@@ -144,9 +146,9 @@ class IrBuilder {
 
 }  // namespace
 
-ShaderIr build_ir(const MaterialSource& source, const CompileContext& context) {
+ShaderIr build_ir(const MaterialSource& source, const CompileContext& context, ShaderRoot root) {
   static const NodeGraph empty;
-  return IrBuilder(source.graph ? *source.graph : empty, context).build(source.domain);
+  return IrBuilder(source.graph ? *source.graph : empty, context, root).build(source.domain);
 }
 
 void break_cycles(ShaderIr& ir, const CompileContext& context) {

@@ -13,13 +13,16 @@ uint8_t surface_query(ShaderDomain domain) {
   return domain == ShaderDomain::surface ? k_query_surface : k_query_emission;
 }
 
-// Emission that no register feeds is the same everywhere; the program itself says what it is.
+// What no register feeds is the same everywhere: the program itself says what it is.
+bool is_constant(const ShaderIr& ir, uint8_t query) {
+  const std::vector<ProgramStep> steps = order_steps(ir, query);
+  return std::all_of(steps.begin(), steps.end(), [&ir](const ProgramStep& step) {
+    return step.node >= 0 && ir.at(step.node).type->is_closure();
+  });
+}
+
 void find_constant_emission(const ShaderIr& ir, ShaderDomain domain, Material& material) {
-  const std::vector<ProgramStep> steps = order_steps(ir, k_query_emission);
-  material.is_emission_constant =
-      std::all_of(steps.begin(), steps.end(), [&ir](const ProgramStep& step) {
-        return step.node >= 0 && ir.at(step.node).type->is_closure();
-      });
+  material.is_emission_constant = is_constant(ir, k_query_emission);
   if (!material.is_emission_constant) return;
   ShadingContext context;
   context.reserve(material.emission.register_count());
@@ -29,8 +32,8 @@ void find_constant_emission(const ShaderIr& ir, ShaderDomain domain, Material& m
   material.constant_emission = context.emission;
 }
 
-void report_notes(const ShaderIr& ir, const CompileContext& context) {
-  for (const IrClosure& closure : closures_of_query(ir, k_query_surface)) {
+void report_notes(const ShaderIr& ir, uint8_t query, const CompileContext& context) {
+  for (const IrClosure& closure : closures_of_query(ir, query)) {
     const IrNode& node = ir.at(closure.node);
     const char* note = node.type->note ? node.type->note(node.data.get()) : nullptr;
     if (note) report(context, node.name, note);
@@ -61,21 +64,62 @@ std::string text_setting(const GraphNode& node, const char* name) {
   return text ? *text : std::string();
 }
 
+// From links as the artist made them to closures with weights.
+void lower(ShaderIr& ir, const MaterialSource& source, ShaderRoot root,
+           const CompileContext& context) {
+  insert_conversions(ir, context);
+  insert_implicit_inputs(ir, context);
+  if (root == ShaderRoot::surface) insert_displacement(ir, source, context);
+  lower_closures(ir);
+  if (!context.optimise) return;
+  fold_constants(ir, source.domain);
+  share_equal_nodes(ir);
+}
+
+// A node that serves both roots is built twice: it speaks once.
+CompileContext reporting_once(const CompileContext& context) {
+  CompileContext once = context;
+  if (context.report)
+    once.report = [said = std::make_shared<std::set<std::pair<std::string, std::string>>>(),
+                   &context](const std::string& node, const std::string& text) {
+      if (said->emplace(node, text).second) context.report(node, text);
+    };
+  return once;
+}
+
+void compile_volume(const MaterialSource& source, const CompileContext& context,
+                    Material& material) {
+  constexpr uint8_t k_query = k_query_volume | k_query_emission;
+  ShaderIr ir = build_ir(source, context, ShaderRoot::volume);
+  break_cycles(ir, context);
+  lower(ir, source, ShaderRoot::volume, context);
+  material.volume = emit_program(ir, k_query);
+  material.has_volume = !material.volume.empty();
+  report_notes(ir, k_query, context);
+  material.is_volume_constant = is_constant(ir, k_query);
+  if (!material.is_volume_constant) return;
+  ShadingContext shading;
+  shading.reserve(material.volume.register_count());
+  material.constant_volume = material.evaluate_volume(shading);
+  if (material.constant_volume.is_vacuum()) material.has_volume = false;
+}
+
 }  // namespace
 
-Material compile_material(const MaterialSource& source, CompileContext& context) {
+MediumProperties Material::evaluate_volume(ShadingContext& context) const {
+  context.begin(k_query_volume | k_query_emission);
+  volume.run(context);
+  context.medium.add_emission(context.emission);
+  return context.medium;
+}
+
+Material compile_material(const MaterialSource& source, CompileContext& given) {
+  const CompileContext context = reporting_once(given);
   ShaderIr ir = build_ir(source, context);
   break_cycles(ir, context);
   Material material;
   if (source.domain == ShaderDomain::world) find_suns(ir, material);
-  insert_conversions(ir, context);
-  insert_implicit_inputs(ir, context);
-  insert_displacement(ir, source, context);
-  lower_closures(ir);
-  if (context.optimise) {
-    fold_constants(ir, source.domain);
-    share_equal_nodes(ir);
-  }
+  lower(ir, source, ShaderRoot::surface, context);
   if (source.graph) material.name = source.graph->name;
   const uint8_t query = surface_query(source.domain);
   material.surface = emit_program(ir, query);
@@ -85,9 +129,11 @@ Material compile_material(const MaterialSource& source, CompileContext& context)
   material.emits = !closures_of_query(ir, k_query_emission).empty();
   material.is_transparent = !material.transparency.empty();
   material.has_surface = ir.has_surface || !ir.has_volume;
-  report_notes(ir, context);
+  report_notes(ir, k_query_surface, context);
   find_constant_emission(ir, source.domain, material);
   if (material.is_emission_constant && is_black(material.constant_emission)) material.emits = false;
+  if (ir.has_volume && source.domain != ShaderDomain::lamp)
+    compile_volume(source, context, material);
   return material;
 }
 

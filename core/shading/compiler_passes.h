@@ -12,9 +12,13 @@ inline void report(const CompileContext& context, const std::string& node,
   if (context.report) context.report(node, text);
 }
 
-// Nodes that the output needs, with their values and settings; what is unknown or of a wrong type
-// is reported and left at its default.
-ShaderIr build_ir(const MaterialSource& source, const CompileContext& context);
+// The sockets of the output that make one program each.
+enum class ShaderRoot : uint8_t { surface, volume };
+
+// Nodes that the output's `root` needs, with their values and settings; what is unknown or of a
+// wrong type is reported and left at its default.
+ShaderIr build_ir(const MaterialSource& source, const CompileContext& context,
+                  ShaderRoot root = ShaderRoot::surface);
 // Drops each link that closes a cycle, with a report.
 void break_cycles(ShaderIr& ir, const CompileContext& context);
 // Makes each link join equal types, as Blender converts them; a value linked to a shader socket

@@ -266,8 +266,8 @@ TEST(Compiler, ReportsUnknownSocketsSettingsAndWrongTypes) {
   graph.nodes[0].settings["distribution"] = 7;
   graph.links.push_back({0, "BSDF", 99, "Surface"});
   const TestMaterial m(graph, {}, true, &test_registry());
-  // Color, Roughness, Nothing, distribution, colour, Surface_2, Volume, the link to node 99.
-  EXPECT_EQ(m.reports.size(), 8u);
+  // Color, Roughness, Nothing, distribution, colour, Surface_2, the link to node 99.
+  EXPECT_EQ(m.reports.size(), 7u);
   EXPECT_EQ(m.material.surface.listing(),
             "ShaderNodeBsdfGlossy(RED, 7, (0.8, 0.8, 0.8), 0.5, normal; weight 1)\n");
 }
@@ -290,7 +290,7 @@ TEST(Compiler, KnowsAVolumeWithoutSurface) {
     v: ShaderNodeBsdfDiffuse
     out: ShaderNodeOutputMaterial Volume<v.BSDF)");
   EXPECT_FALSE(m.material.has_surface);
-  EXPECT_TRUE(m.material.is_transparent);  // seen through, as long as volumes are left out
+  EXPECT_TRUE(m.material.is_transparent);
   EXPECT_FALSE(m.material.scatters);
 }
 

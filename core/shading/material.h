@@ -22,6 +22,7 @@ struct Material {
   Program surface;       // everything at a hit
   Program transparency;  // what a shadow ray needs: `ShadingContext::transparency`
   Program emission;      // what light sampling needs: `ShadingContext::emission`
+  Program volume;        // what fills it: `ShadingContext::medium` and `emission`
   float pass_index = 0.0f;
   bool scatters = false;        // may add lobes
   bool emits = false;           // may be a light
@@ -29,8 +30,14 @@ struct Material {
   bool is_emission_constant = false;
   Spectrum constant_emission;
   bool has_surface = true;  // false: only Volume is linked (index-matched boundary)
+  bool has_volume = false;  // may be filled with something
+  bool is_volume_constant = false;
+  MediumProperties constant_volume;  // its emission included
   bool use_transparent_shadow = true;
   bool sample_as_light = true;
+
+  // Runs `volume` at `context.surface`.
+  MediumProperties evaluate_volume(ShadingContext& context) const;
   std::vector<SunDisk> suns;    // of its Sky Textures
   bool has_hidden_sun = false;  // a sun that stands where only its texture knows
 };

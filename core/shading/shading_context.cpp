@@ -8,6 +8,7 @@ void ShadingContext::begin(uint8_t wanted_query) {
   emission = Spectrum();
   transparency = Spectrum();
   holdout = 0.0f;
+  if (wanted_query & k_query_volume) medium = MediumProperties();
   bend_shading_normal(surface.shading_normal);
 }
 

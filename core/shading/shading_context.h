@@ -8,6 +8,7 @@
 #include "geometry/interaction.h"
 #include "geometry/visibility.h"
 #include "math/transform.h"
+#include "media/medium.h"
 #include "shading/socket.h"
 
 namespace tenniel {
@@ -18,6 +19,7 @@ enum ShaderQuery : uint8_t {
   k_query_emission = 2,
   k_query_transparency = 4,
   k_query_displacement = 8,
+  k_query_volume = 16,  // with k_query_emission: all of a volume
   k_query_surface = k_query_scatter | k_query_emission | k_query_transparency,
 };
 
@@ -41,6 +43,7 @@ struct PathInfo {
   int ray_depth = 0, diffuse_depth = 0, glossy_depth = 0, transmission_depth = 0;
   int transparent_depth = 0;
   bool is_diffuse = false;  // the last bounce was diffuse, off the surface or through it
+  int volume_depth = 0;
 };
 
 // Camera facts that Texture Coordinate, Camera Data and Vector Transform read.
@@ -64,7 +67,7 @@ class ShadingContext {
   void reserve(size_t register_count) { registers_.resize(register_count); }
 
   // In a World: position = direction, wo = -direction. In a lamp's tree: no instance; the normals
-  // are where the lamp shines to.
+  // are where the lamp shines to. In a volume: no mesh, and in a World's no instance either.
   SurfaceInteraction surface;
   PathInfo path;
   ShaderDomain domain = ShaderDomain::surface;
@@ -81,6 +84,7 @@ class ShadingContext {
   Spectrum emission;
   Spectrum transparency;
   float holdout = 0.0f;
+  MediumProperties medium;  // of a Volume tree; what glows is in `emission`
 
   template <class T>
   T get(const Input<T>& input) const {
