@@ -192,6 +192,7 @@ class RenderSettings:
     diffuse_bounces: int
     glossy_bounces: int
     transmission_bounces: int
+    volume_bounces: int
     transparent_max_bounces: int
     min_light_bounces: int
     clamp_direct: float

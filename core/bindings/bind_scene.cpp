@@ -166,6 +166,7 @@ void bind_settings(py::module_& module) {
       .field("diffuse_bounces", &RenderSettings::diffuse_bounces)
       .field("glossy_bounces", &RenderSettings::glossy_bounces)
       .field("transmission_bounces", &RenderSettings::transmission_bounces)
+      .field("volume_bounces", &RenderSettings::volume_bounces)
       .field("transparent_max_bounces", &RenderSettings::transparent_max_bounces)
       .field("min_light_bounces", &RenderSettings::min_light_bounces)
       .field("clamp_direct", &RenderSettings::clamp_direct)

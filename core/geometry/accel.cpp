@@ -71,6 +71,31 @@ void keep_one_instance(const RTCFilterFunctionNArguments* args) {
   if (hit->geomID != context->instance) args->valid[0] = 0;
 }
 
+uint32_t instance_of(const RTCHit& hit) {
+  return hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID;
+}
+
+struct CollectingContext {
+  RTCIntersectContext embree;  // first: the filter casts back
+  std::span<Hit> hits;
+  size_t count;
+};
+
+// Notes each hit and takes none, so that the ray goes on to its end.
+void collect(const RTCFilterFunctionNArguments* args) {
+  auto* context = reinterpret_cast<CollectingContext*>(args->context);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  args->valid[0] = 0;
+  const uint32_t instance = instance_of(*hit);
+  const auto known = context->hits.first(context->count);
+  const bool is_known = std::any_of(known.begin(), known.end(), [&](const Hit& h) {
+    return h.face == hit->primID && h.instance == instance;
+  });
+  if (is_known || context->count == context->hits.size()) return;
+  context->hits[context->count++] = {ray->tfar, hit->u, hit->v, hit->primID, instance};
+}
+
 }  // namespace
 
 // Every instance is attached under its own index: as a geometry of the top level (world-space mesh)
@@ -242,8 +267,26 @@ std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask) const {
   rtcIntersect1(state_->top.get(), &context, &query);
   const RTCHit& hit = query.hit;
   if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  const bool is_instanced = hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
-  return Hit{query.ray.tfar, hit.u, hit.v, hit.primID, is_instanced ? hit.instID[0] : hit.geomID};
+  return Hit{query.ray.tfar, hit.u, hit.v, hit.primID, instance_of(hit)};
+}
+
+size_t Accel::intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const {
+  if (!state_->top) return 0;
+  if (!is_usable(ray)) {
+    state_->rejected.fetch_add(1, std::memory_order_relaxed);
+    return 0;
+  }
+  RTCRayHit query;
+  query.ray = to_embree(ray, mask);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  CollectingContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = collect;
+  context.hits = hits;
+  context.count = 0;
+  rtcIntersect1(state_->top.get(), &context.embree, &query);
+  return context.count;
 }
 
 bool Accel::occluded(const Ray& ray, uint32_t mask) const {

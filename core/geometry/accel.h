@@ -29,6 +29,8 @@ class Accel {
   // Closest hit in (ray.t_min, ray.t_max) among what `mask` (see ray_mask) sees.
   std::optional<Hit> intersect(const Ray& ray, uint32_t mask) const;
   bool occluded(const Ray& ray, uint32_t mask) const;
+  // All hits, as many as `hits` holds, in no order; how many. A face counts once.
+  size_t intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const;
   // Closest hit with one instance only, whatever its mask.
   std::optional<Hit> intersect_instance(const Ray& ray, uint32_t instance) const;
 

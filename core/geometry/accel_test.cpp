@@ -83,6 +83,32 @@ TEST(Accel, EdgesAndVerticesDoNotLeak) {
   }
 }
 
+TEST(Accel, IntersectAllFindsCoincidentFaces) {
+  World w;
+  w.meshes.push_back(square(0));
+  w.meshes.push_back(square(1));
+  move_to_world_space(w.meshes[1], {});
+  w.instances.push_back(place(0));
+  w.instances.push_back(place(1));
+  w.instances.push_back(place(0));
+  w.build();
+  std::array<Hit, 8> hits;
+  // Through the diagonal too, where both halves of the face are met.
+  for (const Vec2 p : {Vec2{0.3f, 0.6f}, Vec2{0.5f, 0.5f}}) {
+    Ray ray{{p.x, p.y, 1.0f}, {0.0f, 0.0f, -1.0f}};
+    ASSERT_EQ(w.accel->intersect_all(ray, 1u, hits), 3u);
+    uint32_t seen = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      EXPECT_FLOAT_EQ(hits[i].t, 1.0f);
+      seen |= 1u << hits[i].instance;
+    }
+    EXPECT_EQ(seen, 7u);
+    EXPECT_EQ(w.accel->intersect_all(ray, 1u, std::span(hits).first(2)), 2u);
+    ray.t_max = 0.5f;
+    EXPECT_EQ(w.accel->intersect_all(ray, 1u, hits), 0u);
+  }
+}
+
 // The position as an attribute comes back as the position, on both halves of either diagonal.
 TEST(Accel, QuadBarycentricsAgreeWithTheHitPoint) {
   for (const int first_of_fan : {0, 1}) {

@@ -19,6 +19,11 @@ constexpr uint32_t ray_mask(WorldIndex world, RayKind kind) {
   return 1u << (static_cast<uint32_t>(world) * k_ray_kind_count + static_cast<uint32_t>(kind));
 }
 
+// Hits whatever exists in a world, by whatever ray.
+constexpr uint32_t any_ray_mask(WorldIndex world) {
+  return 0x3fu << (static_cast<uint32_t>(world) * k_ray_kind_count);
+}
+
 // In which worlds, and by which kinds of ray, a thing is seen.
 struct Visibility {
   uint32_t bits = (1u << (k_world_count * k_ray_kind_count)) - 1u;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "integrator/media_transmittance.h"
 #include "sampling/mis.h"
 
 namespace tenniel {
@@ -46,6 +47,8 @@ std::optional<LightSample> sample_environment(const Scene& scene, const Environm
   return LightSample{drawn->wi, k_infinity, radiance, drawn->pdf, false};
 }
 
+}  // namespace
+
 std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
                                         const ShadingPoint& point, const PathInfo& path, Vec2 u,
                                         ShadingContext& scratch) {
@@ -61,8 +64,6 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
   }
   return sample;
 }
-
-}  // namespace
 
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
                        WorldIndex world, const PathInfo& path, ShadingContext& scratch) {
@@ -138,7 +139,15 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
       ray.t_max = distance * (1.0f - 1e-4f);
     }
     ray.time = state.ray.time;
-    result *= transmittance(scene, settings, ray, group.world, state.info, worker.light);
+    if (scene.has_media) {
+      const SegmentStart start =
+          segment_from(scene, at, sample->wi, state.media, state.info.world, group.world);
+      path = state.info;
+      path.world = group.world;
+      result *= media_transmittance(scene, settings, ray, start, path, worker.light);
+    } else {
+      result *= transmittance(scene, settings, ray, group.world, state.info, worker.light);
+    }
   }
   return result;
 }
@@ -169,6 +178,9 @@ Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Work
       radiance *= lamp_emission(scene, light, position, state.ray.direction, hit->t, state.info,
                                 worker.light);
     }
+    if (scene.has_media)
+      radiance *= segment_transmittance(scene, state.media, state.ray,
+                                        state.skipped_before + hit->t, state.info, worker.light);
     sum += radiance * weight;
   }
   return sum;

@@ -18,6 +18,11 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
                        WorldIndex world, const PathInfo& path, ShadingContext& scratch);
 
+// Toward `light` from `point`, its radiance by its shader in `path.world`.
+std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
+                                        const ShadingPoint& point, const PathInfo& path, Vec2 u,
+                                        ShadingContext& scratch);
+
 // Light met by chance on the segment `state.ray` up to `t_max`: lamps in its way.
 Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Worker& worker);
 

@@ -44,6 +44,18 @@ inline void count_bounce(PathState& state, const BsdfSample& sample, const Rende
   state.is_specular_so_far &= sample.is_delta;
 }
 
+// The same for scattering in a medium.
+inline void count_volume_bounce(PathState& state, const RenderSettings& limits) {
+  PathInfo& info = state.info;
+  bool reached = ++info.ray_depth > limits.max_bounces;
+  reached |= ++info.volume_depth > limits.volume_bounces;
+  info.kind = RayKind::volume_scatter;
+  info.is_singular = info.is_reflection = info.is_diffuse = false;
+  state.ends_after_transparent |= reached;
+  state.sees_background = false;
+  state.is_specular_so_far = false;
+}
+
 // Whether the transparent surfaces are used up: what lies behind the last one may only emit.
 inline bool sees_emission_only(const PathState& state, const RenderSettings& limits) {
   return state.info.transparent_depth > limits.transparent_max_bounces;

@@ -3,8 +3,10 @@
 
 #include "integrator/direct_light.h"
 #include "integrator/limits.h"
+#include "integrator/media_transmittance.h"
 #include "integrator/mirror.h"
 #include "integrator/path_state.h"
+#include "integrator/volume_walk.h"
 
 namespace tenniel {
 
@@ -42,7 +44,10 @@ class PathTracer {
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
   bool may_still_meet_light();
   bool pass_through(const SurfaceInteraction& at, Spectrum weight, const WorldGroup& group);
-  void enter(const WorldGroup& group);
+  bool pass_on(const SurfaceInteraction& at, const WorldGroup& group);
+  void enter(const WorldGroup& group, const SurfaceInteraction& at, Vec3 direction);
+  void start_in_media();
+  MediumEvent walk_media(float length);
 
   const Scene& scene_;
   const RenderSettings& settings_;
@@ -60,6 +65,7 @@ bool PathTracer::start(Vec2 raster) {
   state_.cone = camera_ray->cone;
   state_.length_before = -camera_ray->ray.t_min;
   state_.info.world = static_cast<WorldIndex>(settings_.start_world);
+  if (scene_.has_media) start_in_media();
   return true;
 }
 
@@ -69,12 +75,22 @@ SampleResult PathTracer::trace(Vec2 raster) {
     const uint32_t mask = ray_mask(state_.info.world, state_.info.kind);
     const auto hit = scene_.accel->intersect(state_.ray, mask);
     add_lamps(hit ? hit->t : k_infinity);
+    if (scene_.has_media) {
+      const MediumEvent event = walk_media(hit ? hit->t : k_infinity);
+      if (event == MediumEvent::ended) break;
+      if (event == MediumEvent::scattered) continue;
+    }
     if (!hit) {
       add_background();
       break;
     }
     SurfaceInteraction at = scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
     at.t += state_.length_before;
+    if (scene_.has_media && !scene_.material_at(at, state_.info.world).has_surface) {
+      const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
+      if (!pass_on(at, groups.of(LobeClass::transparent))) break;
+      continue;
+    }
     worker_.sampler.set_dimension(k_camera_dimensions + state_.vertices * k_dimensions_per_vertex);
     evaluate(at);
     if (apply_holdout(at)) break;
@@ -115,6 +131,29 @@ void PathTracer::add_background() {
   const Spectrum radiance =
       background_radiance(scene_, world, state_.ray.direction, state_.info, worker_.light);
   add(radiance * background_weight(scene_, state_), state_.info.ray_depth - 1, state_.has_entered);
+}
+
+// The media of the first segment begin where the camera sees from.
+void PathTracer::start_in_media() {
+  Ray& ray = state_.ray;
+  ray.origin = ray.at(ray.t_min);
+  ray.t_max -= ray.t_min;
+  ray.t_min = state_.length_before = 0.0f;
+  state_.media = media_around(scene_, ray.origin, state_.info.world);
+}
+
+// Takes the path through what fills the segment before it.
+MediumEvent PathTracer::walk_media(float length) {
+  if (state_.media.empty() && !scene_.worlds[state_.info.world].material.has_volume)
+    return MediumEvent::passed;
+  const VolumeWalk walk(scene_, settings_, state_, length, worker_);
+  if (walk.is_vacuum()) return MediumEvent::passed;
+  add(walk.emission(), state_.info.ray_depth - 1, state_.has_entered);
+  add(walk.lamp_light(state_, worker_), state_.info.ray_depth, state_.has_entered);
+  const MediumEvent event = walk.advance(state_, worker_);
+  if (event != MediumEvent::scattered) return event;
+  const bool goes_on = survives() && (!state_.ends_after_transparent || may_still_meet_light());
+  return goes_on ? event : MediumEvent::ended;
 }
 
 void PathTracer::evaluate(const SurfaceInteraction& at) {
@@ -191,8 +230,14 @@ void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint&
   }
 }
 
-// Into the world that the lobes of `group` lead to.
-void PathTracer::enter(const WorldGroup& group) {
+// Into the world that the lobes of `group` lead to, and into the media there.
+void PathTracer::enter(const WorldGroup& group, const SurfaceInteraction& at, Vec3 direction) {
+  if (scene_.has_media) {
+    const SegmentStart start =
+        segment_from(scene_, at, direction, state_.media, state_.info.world, group.world);
+    state_.media = start.media;
+    state_.skipped_before = start.skipped;
+  }
   state_.info.world = group.world;
   if (!group.enters) return;
   if (!state_.has_entered && state_.is_specular_so_far) result_.dream = group.world;
@@ -204,7 +249,12 @@ bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight,
                               const WorldGroup& group) {
   state_.throughput *= weight;
   ++state_.info.transparent_depth;
-  enter(group);
+  return pass_on(at, group);
+}
+
+// The same for a boundary between media alone, which counts as nothing.
+bool PathTracer::pass_on(const SurfaceInteraction& at, const WorldGroup& group) {
+  enter(group, at, state_.ray.direction);
   state_.cone.radius = at.footprint;
   state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
   state_.ray.t_min = 0.0f;
@@ -239,7 +289,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   }
   state_.throughput *= sample->weight;
   if (!(max_component(state_.throughput) > 0.0f)) return false;
-  enter(group);
+  enter(group, at, sample->wi);
   count_bounce(state_, *sample, settings_);
   state_.pdf = sample->is_delta ? 0.0f : sample->pdf;
   if (!sample->is_delta) state_.min_pdf = std::min(state_.min_pdf, sample->pdf);
@@ -255,7 +305,8 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
 
 // The last segment of a path can only pick up light: where none lies ahead it need not be traced.
 bool PathTracer::may_still_meet_light() {
-  if (scene_.has_emissive_surfaces || scene_.worlds[state_.info.world].material.emits) return true;
+  if (scene_.has_emissive_surfaces || scene_.has_emissive_media) return true;
+  if (scene_.worlds[state_.info.world].material.emits) return true;
   return !scene_.hittable_lamps.empty() &&
          !is_black(lamps_met(scene_, state_, k_infinity, worker_));
 }

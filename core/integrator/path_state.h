@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "integrator/medium_stack.h"
 #include "lights/light_types.h"
 #include "math/ray.h"
 #include "math/spectrum.h"
@@ -17,6 +18,8 @@ struct PathState {
   RayCone cone;
   Spectrum throughput{1.0f};
   PathInfo info;
+  MediumStack media;
+  float skipped_before = 0.0f;  // metres of those media behind the ray's origin
   // The last vertex that scattered, for the weight of light met by chance. `pdf` 0: no light sample
   // could have made this segment (camera ray, or a delta lobe).
   ShadingPoint origin;

@@ -24,6 +24,10 @@ struct Bounds3 {
     add(b.min);
     add(b.max);
   }
+  bool contains(Vec3 p) const {
+    return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z &&
+           p.z <= max.z;
+  }
   bool is_empty() const { return min.x > max.x; }
   Vec3 center() const { return (min + max) * 0.5f; }
   float radius() const { return is_empty() ? 0.0f : length(max - min) * 0.5f; }

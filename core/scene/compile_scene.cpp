@@ -84,6 +84,7 @@ std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnos
   stage("Camera", &SceneCompiler::compile_camera);
   stage("Compiling shaders", &SceneCompiler::compile_materials);
   stage("Building BVH", &SceneCompiler::compile_geometry);
+  stage("Volumes", &SceneCompiler::compile_media);
   stage("Lights", &SceneCompiler::compile_lights);
   if (compiler.is_cancelled()) return nullptr;
   return scene;

@@ -34,6 +34,7 @@ struct SceneCompiler {
   void compile_camera();
   void compile_materials();  // also textures
   void compile_geometry();   // meshes, instances, acceleration structure
+  void compile_media();      // what is filled
   void compile_lights();     // lamps, mesh lights, environments, light choice
   void compile_environments(ShadingContext& context);
   const EnvironmentLight* equal_environment(WorldIndex w) const;

@@ -165,6 +165,7 @@ struct RenderSettings {
   int threads = 0;          // 0 = all
   float time_limit = 0.0f;  // seconds; 0 = none
   int max_bounces = 12, diffuse_bounces = 4, glossy_bounces = 4, transmission_bounces = 12;
+  int volume_bounces = 0;
   int transparent_max_bounces = 8;
   int min_light_bounces = 0;                          // no roulette before
   float clamp_direct = 0.0f, clamp_indirect = 10.0f;  // 0 = none

@@ -12,6 +12,7 @@
 #include "image/texture.h"
 #include "lights/light.h"
 #include "lights/light_sampler.h"
+#include "math/bounds.h"
 #include "shading/material.h"
 
 namespace tenniel {
@@ -21,6 +22,12 @@ struct World {
   Material material;
   Visibility visibility;
   int light = -1;  // index of its EnvironmentLight; -1 = black, or not sampled
+};
+
+// An object that a material with a Volume fills, in one world at least.
+struct FilledInstance {
+  uint32_t instance = 0;
+  Bounds3 bounds;  // world space
 };
 
 // Everything a render reads: made by `compile_scene`, immutable since, shared by all threads.
@@ -33,6 +40,7 @@ struct Scene {
   std::vector<Material> lamp_materials;
   std::vector<LampInfo> lamp_infos;  // of lamp_materials, index by index
   std::shared_ptr<const Accel> accel;
+  std::vector<FilledInstance> filled_instances;
   std::vector<Light> lights;
   std::vector<uint32_t> hittable_lamps;  // indices of lights that rays can meet
   std::array<LightSampler, k_world_count> light_samplers;
@@ -42,6 +50,8 @@ struct Scene {
   bool has_transparent_shadows = false;
   bool has_emissive_surfaces = false;
   bool has_looking_glasses = false;
+  bool has_media = false;  // or boundaries of such; else no ray looks for any
+  bool has_emissive_media = false;
   size_t register_count = 0;  // the most any program needs
 
   const Material& material_at(const SurfaceInteraction& at, WorldIndex world) const {

@@ -40,6 +40,9 @@ class GraphBuilder {
   GraphBuilder& surface(uint32_t node, std::string out = "BSDF") {
     return link(node, std::move(out), static_cast<uint32_t>(graph_.output), "Surface");
   }
+  GraphBuilder& volume(uint32_t node, std::string out = "Volume") {
+    return link(node, std::move(out), static_cast<uint32_t>(graph_.output), "Volume");
+  }
   NodeGraph build() const { return graph_; }
 
  private:
@@ -87,6 +90,20 @@ inline NodeGraph glowing_diffuse(float albedo, float radiance) {
   g.link(d, "BSDF", sum, "Shader").link(e, "Emission", sum, "Shader_001");
   return g.surface(sum, "Shader").build();
 }
+// A volume without a surface: one closure node linked to Volume.
+inline NodeGraph volume(const std::string& type, std::map<std::string, std::vector<float>> inputs,
+                        const std::string& output_socket = "Volume") {
+  GraphBuilder g(type);
+  const uint32_t node = g.add(type, std::move(inputs));
+  return g.volume(node, output_socket).build();
+}
+inline NodeGraph absorption(float sigma) {
+  return volume("ShaderNodeVolumeAbsorption", {{"Color", grey(0.0f)}, {"Density", {sigma}}});
+}
+inline NodeGraph scatter(float sigma, float g = 0.0f, float albedo = 1.0f) {
+  return volume("ShaderNodeVolumePrincipled",
+                {{"Color", grey(albedo)}, {"Density", {sigma}}, {"Anisotropy", {g}}});
+}
 inline NodeGraph background(float radiance) {
   GraphBuilder g("world", "ShaderNodeOutputWorld");
   const uint32_t b =
@@ -123,6 +140,20 @@ inline MeshDesc mesh_of(const std::vector<std::array<float, 3>>& vertices,
 // Square of side 2 in the xy plane, facing +z.
 inline MeshDesc square() {
   return mesh_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}});
+}
+
+// Cube of side 2 around the origin, normals outward.
+inline MeshDesc box() {
+  return mesh_of(
+      {{-1, -1, -1},
+       {1, -1, -1},
+       {1, 1, -1},
+       {-1, 1, -1},
+       {-1, -1, 1},
+       {1, -1, 1},
+       {1, 1, 1},
+       {-1, 1, 1}},
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
 // Unit sphere of quads and triangles, smooth, normals outward.
@@ -162,6 +193,7 @@ class SceneBuilder {
     scene.settings.max_bounces = scene.settings.diffuse_bounces = 64;
     scene.settings.glossy_bounces = scene.settings.transmission_bounces = 64;
     scene.settings.transparent_max_bounces = 64;
+    scene.settings.volume_bounces = 64;
     world(0.0f);
   }
   // Replaces this side's World.

@@ -8,8 +8,8 @@ _INT_MAX = 0x7fffffff
 
 # Settings of the same name and meaning on both sides.
 _SAME = ('time_limit', 'max_bounces', 'diffuse_bounces', 'glossy_bounces', 'transmission_bounces',
-         'transparent_max_bounces', 'min_light_bounces', 'blur_glossy', 'caustics_reflective',
-         'caustics_refractive', 'film_exposure', 'filter_width')
+         'volume_bounces', 'transparent_max_bounces', 'min_light_bounces', 'blur_glossy',
+         'caustics_reflective', 'caustics_refractive', 'film_exposure', 'filter_width')
 
 
 def export_settings(context):

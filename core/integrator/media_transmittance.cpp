@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator/media_transmittance.h"
+
+#include "media/free_flight.h"
+
+namespace tenniel {
+
+namespace {
+
+constexpr int k_max_boundaries = 1024;
+
+// What the surface at `at` lets through; black where it stops the light.
+Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
+                              const Material& material, const PathInfo& path,
+                              ShadingContext& scratch) {
+  scratch.surface = at;
+  scratch.path = path;
+  scratch.domain = ShaderDomain::surface;
+  scratch.camera = &scene.camera_info;
+  scratch.material_pass_index = material.pass_index;
+  scratch.begin(k_query_transparency);
+  material.transparency.run(scratch);
+  return scratch.transparency;
+}
+
+}  // namespace
+
+Spectrum segment_transmittance(const Scene& scene, const MediumStack& media, const Ray& ray,
+                               float length, const PathInfo& path, ShadingContext& scratch) {
+  if (media.empty() && !scene.worlds[path.world].material.has_volume) return Spectrum(1.0f);
+  return beer_lambert(media_along(scene, media, ray, path, scratch).sigma_t(), length);
+}
+
+Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
+                             const SegmentStart& start, const PathInfo& path,
+                             ShadingContext& scratch) {
+  MediumStack media = start.media;
+  float skipped = start.skipped;
+  const uint32_t mask = ray_mask(path.world, RayKind::shadow);
+  PathInfo info = path;
+  info.kind = RayKind::shadow;
+  ++info.ray_depth;
+  Ray rest = ray;
+  if (!scene.has_transparent_shadows)
+    return scene.accel->occluded(ray, mask)
+               ? Spectrum()
+               : segment_transmittance(scene, media, rest, skipped + rest.t_max, info, scratch);
+  Spectrum through(1.0f);
+  for (int i = 0; i < k_max_boundaries; ++i) {
+    const auto hit = scene.accel->intersect(rest, mask);
+    through *= segment_transmittance(scene, media, rest, skipped + (hit ? hit->t : rest.t_max),
+                                     info, scratch);
+    if (!hit || !(max_component(through) > 0.0f)) return through;
+    const SurfaceInteraction at = scene.interaction(rest, *hit, 0.0f);
+    const Material& material = scene.material_at(at, path.world);
+    if (material.has_surface) {
+      const bool passes = material.is_transparent && material.use_transparent_shadow &&
+                          info.transparent_depth < settings.transparent_max_bounces;
+      if (!passes) return {};
+      through *= surface_transparency(scene, at, material, info, scratch);
+      ++info.transparent_depth;
+    }
+    rest.t_max -= hit->t;
+    rest.origin = offset_ray_origin(at, rest.direction);
+    skipped = skipped_length(at, rest.origin, rest.direction);
+    cross_boundary(scene, at, rest.origin, path.world, media);
+    rest.t_min = 0.0f;
+    if (!(rest.t_max > 0.0f)) return through;
+  }
+  return {};
+}
+
+SegmentStart segment_from(const Scene& scene, const SurfaceInteraction& at, Vec3 direction,
+                          const MediumStack& before, WorldIndex world_before, WorldIndex world) {
+  const Vec3 origin = offset_ray_origin(at, direction);
+  SegmentStart start{before, skipped_length(at, origin, direction)};
+  if (dot(at.geometric_normal, direction) < 0.0f)
+    cross_boundary(scene, at, origin, world_before, start.media);
+  if (world != world_before) start.media = media_around(scene, origin, world, start.media);
+  return start;
+}
+
+}  // namespace tenniel

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator/medium_stack.h"
+
+namespace tenniel {
+
+namespace {
+
+// Boundaries of one object that a probe looks at: each slot's first one tells.
+constexpr int k_max_probes = 64;
+constexpr size_t k_max_coincident = 8;
+// Along no axis: it runs along no side of a box and through no pole of a sphere.
+constexpr Vec3 k_probe_direction{0.3112f, 0.1779f, 0.9335f};
+
+// Enters the slots of one object that contain `point`: those whose nearest face shows its back.
+void probe(const Scene& scene, uint32_t instance, Vec3 point, WorldIndex world,
+           MediumStack& media) {
+  MediumStack outside;
+  Ray ray;
+  ray.origin = point;
+  ray.direction = normalize(k_probe_direction);
+  for (int i = 0; i < k_max_probes; ++i) {
+    const auto hit = scene.accel->intersect_instance(ray, instance);
+    if (!hit) return;
+    const SurfaceInteraction at = scene.interaction(ray, *hit, 0.0f);
+    const MediumStack::Entry entry{instance, at.mesh->material_slot(at.face)};
+    if (scene.material_at(at, world).has_volume && !media.contains(entry)) {
+      if (!at.is_back_facing)
+        outside.enter(entry);
+      else if (!outside.contains(entry))
+        media.enter(entry);
+    }
+    ray.origin = offset_ray_origin(at, ray.direction);
+  }
+}
+
+void cross(const Scene& scene, const SurfaceInteraction& at, WorldIndex world, MediumStack& media) {
+  const MediumStack::Entry entry{static_cast<uint32_t>(at.instance - scene.instances.data()),
+                                 at.mesh->material_slot(at.face)};
+  if (at.is_back_facing)
+    media.leave(entry);
+  else if (scene.material_at(at, world).has_volume)
+    media.enter(entry);
+}
+
+void add_medium(const Material& material, const Instance* instance, Vec3 point, const Ray& ray,
+                const PathInfo& path, ShadingContext& scratch, MediumProperties& sum) {
+  if (!material.has_volume) return;
+  if (material.is_volume_constant) {
+    sum.add(material.constant_volume);
+    return;
+  }
+  scratch.surface = SurfaceInteraction();
+  scratch.surface.instance = instance;
+  scratch.surface.position = point;
+  scratch.surface.wo = -ray.direction;
+  scratch.surface.geometric_normal = scratch.surface.shading_normal = -ray.direction;
+  scratch.path = path;
+  scratch.domain = ShaderDomain::surface;
+  scratch.lamp = nullptr;
+  scratch.material_pass_index = material.pass_index;
+  sum.add(material.evaluate_volume(scratch));
+}
+
+}  // namespace
+
+MediumStack media_around(const Scene& scene, Vec3 point, WorldIndex world,
+                         const MediumStack& known) {
+  MediumStack media;
+  for (const MediumStack::Entry& entry : known)
+    if (scene.instances[entry.instance].visibility.exists_in(world)) media.enter(entry);
+  for (const FilledInstance& filled : scene.filled_instances)
+    if (filled.bounds.contains(point) &&
+        scene.instances[filled.instance].visibility.exists_in(world))
+      probe(scene, filled.instance, point, world, media);
+  return media;
+}
+
+void cross_boundary(const Scene& scene, const SurfaceInteraction& at, Vec3 origin, WorldIndex world,
+                    MediumStack& media) {
+  cross(scene, at, world, media);
+  if (scene.filled_instances.size() < 2) return;
+  // From as far before the surface as the origin lies behind it.
+  Ray ray;
+  const Vec3 step = origin - at.position;
+  const float size = length(step);
+  ray.direction = normalize_or(step, -at.geometric_normal);
+  ray.origin = at.position - ray.direction * size;
+  ray.t_max = 2.0f * size;
+  std::array<Hit, k_max_coincident> hits;
+  const size_t count = scene.accel->intersect_all(ray, any_ray_mask(world), hits);
+  for (size_t i = 0; i < count; ++i) {
+    const SurfaceInteraction other = scene.interaction(ray, hits[i], 0.0f);
+    if (other.instance != at.instance) cross(scene, other, world, media);
+  }
+}
+
+MediumProperties media_along(const Scene& scene, const MediumStack& media, const Ray& ray,
+                             const PathInfo& path, ShadingContext& scratch) {
+  MediumProperties sum;
+  scratch.camera = &scene.camera_info;
+  add_medium(scene.worlds[path.world].material, nullptr, ray.origin, ray, path, scratch, sum);
+  for (const MediumStack::Entry& entry : media) {
+    const Instance& instance = scene.instances[entry.instance];
+    const Material& material = scene.materials[instance.material(entry.slot, path.world)];
+    add_medium(material, &instance, instance.object_to_world.translation, ray, path, scratch, sum);
+  }
+  return sum;
+}
+
+}  // namespace tenniel

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator/volume_light.h"
+
+#include <optional>
+
+#include "integrator/direct_light.h"
+#include "integrator/media_transmittance.h"
+#include "media/equiangular.h"
+#include "sampling/mis.h"
+
+namespace tenniel {
+
+namespace {
+
+// The middle of a light that is somewhere.
+std::optional<Vec3> center_of(const Light& light) {
+  if (const auto* point = light.as<PointLight>()) return point->position;
+  if (const auto* spot = light.as<SpotLight>()) return spot->point.position;
+  if (const auto* area = light.as<AreaLight>()) return area->center;
+  if (const auto* mesh = light.as<MeshLight>()) return mesh->center();
+  return std::nullopt;
+}
+
+// Distances along a segment together with a light, in two ways of equal chance: by free flight and
+// then a light for the point that was reached; or a light for the whole segment and then distances
+// near it. The density is that of both (one-sample balance heuristic), so that neither a lamp's
+// halo nor fog far from any lamp is left to the way that is bad at it.
+class SegmentSampler {
+ public:
+  SegmentSampler(const Scene& scene, const PathState& state, const FreeFlight& flight,
+                 float sigma_t, float length)
+      : lights_(scene.light_samplers[state.info.world]),
+        all_(scene.lights),
+        ray_(state.ray),
+        skipped_(state.skipped_before),
+        flight_(flight),
+        length_(length),
+        middle_(point_at(0.5f * std::min(length, 1.0f / sigma_t))) {}
+
+  // In a medium there is no hemisphere.
+  ShadingPoint point_at(float t) const {
+    return {ray_.at(std::max(t - skipped_, 0.0f)), ray_.direction, false};
+  }
+
+  struct Choice {
+    float t = 0.0f;
+    uint32_t light = 0;
+    float pdf = 0.0f;                // of distance and light
+    float light_probability = 0.0f;  // of the light at the point
+  };
+  std::optional<Choice> sample(float u_way, float u_distance, float u_light) const {
+    const bool by_flight = u_way < 0.5f;
+    Choice choice;
+    if (by_flight) choice.t = flight_.sample(u_distance);
+    const auto light = lights_.choose(by_flight ? point_at(choice.t) : middle_, u_light);
+    if (!light) return {};
+    choice.light = light->light;
+    const auto around = near_light(choice.light);
+    if (!by_flight) choice.t = around ? around->sample(u_distance) : flight_.sample(u_distance);
+    choice.light_probability =
+        by_flight ? light->probability : lights_.probability(point_at(choice.t), choice.light);
+    const float for_segment =
+        by_flight ? lights_.probability(middle_, choice.light) : light->probability;
+    const float flight_pdf = flight_.pdf(choice.t);
+    choice.pdf = 0.5f * flight_pdf * choice.light_probability +
+                 0.5f * for_segment * (around ? around->pdf(choice.t) : flight_pdf);
+    if (!(choice.pdf > 0.0f)) return {};
+    return choice;
+  }
+
+ private:
+  std::optional<Equiangular> near_light(uint32_t light) const {
+    const auto center = center_of(all_[light]);
+    if (!center) return {};
+    Ray whole = ray_;
+    whole.origin = ray_.at(-skipped_);
+    const Equiangular around(whole, length_, *center);
+    if (!around.is_usable()) return {};
+    return around;
+  }
+
+  const LightSampler& lights_;
+  const std::vector<Light>& all_;
+  const Ray& ray_;
+  const float skipped_;
+  const FreeFlight& flight_;
+  const float length_;
+  const ShadingPoint middle_;
+};
+
+}  // namespace
+
+Spectrum light_scattered_in(const Scene& scene, const RenderSettings& settings,
+                            const PathState& state, const MediumProperties& medium,
+                            const FreeFlight& flight, float length, Worker& worker) {
+  Sampler& sampler = worker.sampler;
+  const float u_way = sampler.get_1d(), u_distance = sampler.get_1d();
+  const float u_light = sampler.get_1d();
+  const Vec2 u = sampler.get_2d();
+  const SegmentSampler segment(scene, state, flight, mean(medium.sigma_t()), length);
+  const auto choice = segment.sample(u_way, u_distance, u_light);
+  if (!choice) return {};
+  const Light& light = scene.lights[choice->light];
+  if (state.info.ray_depth > light.max_bounces) return {};
+  if (!light.visibility.seen_by(state.info.world, RayKind::volume_scatter)) return {};
+
+  const ShadingPoint point = segment.point_at(choice->t);
+  PathInfo path = state.info;
+  ++path.ray_depth;
+  path.is_light_sample = true;
+  const auto sample = sample_light(scene, light, point, path, u, worker.light);
+  if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
+
+  const PhaseEval phase = medium.phase.eval(state.ray.direction, sample->wi);
+  const bool can_be_met = !sample->is_delta && light.use_mis;
+  const float weight =
+      can_be_met ? power_heuristic(sample->pdf * choice->light_probability, phase.pdf) : 1.0f;
+  const Spectrum result = beer_lambert(medium.sigma_t(), choice->t) * phase.value *
+                          sample->radiance * (weight / (sample->pdf * choice->pdf));
+  if (!light.casts_shadow || is_black(result)) return result;
+  Ray ray;
+  ray.origin = point.position;
+  ray.direction = sample->wi;
+  // Short of the light, so that an emissive mesh does not shadow itself.
+  if (sample->distance < k_infinity) ray.t_max = sample->distance * (1.0f - 1e-4f);
+  ray.time = state.ray.time;
+  return result *
+         media_transmittance(scene, settings, ray, {state.media, 0.0f}, state.info, worker.light);
+}
+
+}  // namespace tenniel

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Participating media in whole pictures whose radiance is known in closed form.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "testing/render_scene.h"
+#include "testing/scene_builder.h"
+
+namespace tenniel {
+namespace {
+
+using namespace testing;
+
+void expect_mean(const Mean& found, double wanted, double least_precision) {
+  EXPECT_LT(found.error, least_precision * wanted);
+  EXPECT_NEAR(found.value, wanted, 4.0 * found.error + 2e-5 * wanted);
+}
+
+// A box 2 * `half` high that reaches far to the sides.
+Matrix34 slab(float half, float z = 0.0f) {
+  return {100, 0, 0, 0, 0, 100, 0, 0, 0, 0, half, z};
+}
+
+// A camera far above that looks straight down at a small spot.
+SceneBuilder seen_from_above(float radiance) {
+  SceneBuilder b;
+  b.world(radiance).ortho_camera(at(0.0f, 0.0f, 50.0f), 0.1f);
+  b.scene.settings.samples = 16;
+  return b;
+}
+
+TEST(Media, SlabTransmittance) {
+  SceneBuilder b = seen_from_above(1.0f);
+  b.object(box(),
+           volume("ShaderNodeVolumeAbsorption",
+                  {{"Color", {0.2f, 0.5f, 0.9f, 1.0f}}, {"Density", {0.7f}}}),
+           slab(1.0f));
+  const Spectrum seen = render(b.scene).pixel(3, 4);
+  EXPECT_NEAR(seen.r, 0.32628, 1e-5);
+  EXPECT_NEAR(seen.g, 0.49659, 1e-5);
+  EXPECT_NEAR(seen.b, 0.86936, 1e-5);
+}
+
+TEST(Media, OverlappingAndNestedMediaAddUp) {
+  SceneBuilder b = seen_from_above(1.0f);
+  b.object(box(), absorption(0.3f), slab(1.0f));
+  b.object(box(), absorption(0.5f), slab(0.5f, 0.75f));  // reaches out of the first by 0.25
+  b.object(box(), absorption(0.7f), slab(0.25f));        // inside the first
+  const double depth = 0.3 * 2.0 + 0.5 * 1.0 + 0.7 * 0.5;
+  EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-depth), 1e-5);
+}
+
+TEST(Media, CameraMayStandInside) {
+  for (const bool instanced : {false, true}) {
+    SceneBuilder b = seen_from_above(1.0f);
+    b.object(box(), absorption(0.5f), slab(3.0f));
+    if (instanced) b.instance(0, 0, at(0.0f, 0.0f, -50.0f));
+    b.object(sphere(), absorption(0.25f), at(0.0f, 0.0f, 0.0f, 2.0f));
+    b.ortho_camera(at(0.0f, 0.0f, 1.0f), 0.01f);
+    const double depth = 0.5 * (1.0 + 3.0) + 0.25 * (1.0 + 2.0) + (instanced ? 0.5 * 2.0 : 0.0);
+    EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-depth), 2e-4);
+  }
+}
+
+TEST(Media, WorldVolumeDimsByDistance) {
+  SceneBuilder b;
+  GraphBuilder g("fog", "ShaderNodeOutputWorld");
+  const uint32_t v =
+      g.add("ShaderNodeVolumeAbsorption", {{"Color", grey(0.0f)}, {"Density", {0.2f}}});
+  const uint32_t light = g.add("ShaderNodeBackground", {{"Color", grey(1.0f)}});
+  b.scene.worlds[0].graph = g.volume(v).surface(light, "Background").build();
+  b.object(square(), emission(1.0f));
+  b.ortho_camera(at(0.0f, 0.0f, 4.0f), 0.1f);
+  b.scene.settings.samples = 4;
+  EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-0.2 * (4.0 - 1e-4)), 1e-5);
+  // Nothing comes from infinitely far.
+  b.scene.instances.clear();
+  EXPECT_EQ(mean_of(render(b.scene)).value, 0.0);
+}
+
+TEST(Media, GlowingSlabIsTheIntegralOfItsEmission) {
+  SceneBuilder b = seen_from_above(0.0f);
+  b.object(box(),
+           volume("ShaderNodeVolumePrincipled",
+                  {{"Color", grey(0.0f)}, {"Density", {0.5f}}, {"Emission Strength", {0.3f}}}),
+           slab(1.0f));
+  EXPECT_NEAR(render(b.scene).pixel(3, 4).g, 0.3 * (1.0 - std::exp(-1.0)) / 0.5, 1e-5);
+  b.scene.materials[0].graph =
+      volume("ShaderNodeEmission", {{"Color", grey(1.0f)}, {"Strength", {0.3f}}}, "Emission");
+  EXPECT_NEAR(render(b.scene).pixel(3, 4).g, 0.6, 1e-5);
+}
+
+TEST(Media, ShadowsAreDimmedByAllMediaOnTheWay) {
+  SceneBuilder b;
+  b.object(square(), diffuse(1.0f));
+  b.object(box(), absorption(0.5f), slab(0.5f, 2.0f));
+  b.object(box(), absorption(1.5f), slab(0.1f, 2.0f));
+  LightDesc& sun = b.lamp("SUN", 3.14159265f, k_identity34);
+  sun.angle = 0.0f;
+  b.ortho_camera(turned(40.0f, 0.0f, -0.8f, 1.0f), 0.1f);
+  b.scene.settings.samples = 4;
+  EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-0.5 * 1.0 - 1.5 * 0.2), 1e-5);
+}
+
+TEST(Media, BoundariesCountAsNoSurface) {
+  SceneBuilder b = seen_from_above(0.0f);
+  for (int i = 0; i < 20; ++i)
+    b.object(box(), absorption(0.1f), slab(0.1f, static_cast<float>(i) - 10.0f));
+  b.object(square(), emission(1.0f), at(0.0f, 0.0f, -20.0f));
+  b.scene.settings.transparent_max_bounces = 0;
+  EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-0.1 * 0.2 * 20), 1e-5);
+}
+
+// What scatters everything and absorbs nothing cannot be seen in a uniform world.
+struct FurnaceCase {
+  const char* name;
+  std::function<void(SceneBuilder&)> fill;
+};
+
+NodeGraph filled_glass(float roughness, float sigma, float g) {
+  GraphBuilder graph("filled glass");
+  const uint32_t surface = graph.add(
+      "ShaderNodeBsdfGlass", {{"Color", grey(1.0f)}, {"Roughness", {roughness}}, {"IOR", {1.3f}}},
+      {{"distribution", std::string(roughness > 0.0f ? "GGX" : "SHARP")}});
+  const uint32_t v = graph.add("ShaderNodeVolumeScatter",
+                               {{"Color", grey(1.0f)}, {"Density", {sigma}}, {"Anisotropy", {g}}});
+  return graph.surface(surface).volume(v).build();
+}
+
+NodeGraph colored_scatter() {
+  return volume("ShaderNodeVolumeScatter", {{"Color", {0.3f, 1.0f, 4.0f, 1.0f}}, {"Density", {1}}});
+}
+
+const FurnaceCase k_furnaces[] = {
+    {"isotropic", [](SceneBuilder& b) { b.object(sphere(), scatter(1.0f)); }},
+    {"forward", [](SceneBuilder& b) { b.object(sphere(), scatter(2.0f, 0.9f)); }},
+    {"backward", [](SceneBuilder& b) { b.object(box(), scatter(1.0f, -0.5f)); }},
+    {"chromatic", [](SceneBuilder& b) { b.object(sphere(), colored_scatter()); }},
+    {"overlapping",
+     [](SceneBuilder& b) {
+       b.object(sphere(), scatter(0.7f, 0.5f), at(0.5f, 0.0f, 0.0f));
+       b.object(box(), scatter(0.5f, -0.3f), at(-0.4f, 0.0f, 0.3f));
+     }},
+    {"nested",
+     [](SceneBuilder& b) {
+       b.object(sphere(), scatter(0.5f));
+       b.object(sphere(), scatter(2.0f, 0.5f), at(0.0f, 0.2f, 0.0f, 0.5f));
+     }},
+    {"camera_inside",
+     [](SceneBuilder& b) { b.object(sphere(), scatter(0.3f, 0.3f), at(0.0f, 0.0f, 0.0f, 7.0f)); }},
+    {"smooth_glass", [](SceneBuilder& b) { b.object(sphere(), filled_glass(0.0f, 1.0f, 0.3f)); }},
+    {"diffuse_inside",
+     [](SceneBuilder& b) {
+       b.object(sphere(), scatter(1.0f));
+       b.object(sphere(), diffuse(1.0f), at(0.0f, 0.0f, 0.0f, 0.4f));
+     }},
+};
+
+class MediaFurnaceStatistics : public ::testing::TestWithParam<FurnaceCase> {};
+
+TEST_P(MediaFurnaceStatistics, WhiteMediumIsInvisible) {
+  SceneBuilder b;
+  b.world(1.0f).ortho_camera(at(0.0f, 0.0f, 5.0f), 2.0f);
+  GetParam().fill(b);
+  b.scene.settings.samples = 512;
+  b.scene.settings.max_bounces = b.scene.settings.volume_bounces = 1024;
+  b.scene.settings.transmission_bounces = 1024;
+  b.scene.settings.diffuse_bounces = 1024;
+  b.scene.settings.min_light_bounces = 1024;
+  expect_mean(mean_of(render(b.scene)), 1.0, 3e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Media, MediaFurnaceStatistics, ::testing::ValuesIn(k_furnaces),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace tenniel
