@@ -16,10 +16,6 @@ constexpr float k_min_cos = 1e-5f;
 // in a few directions.
 constexpr float k_min_albedo = 1e-3f;
 
-Spectrum albedo_of(const Lobe& lobe, Vec3 wo) {
-  return std::visit([&](const auto& l) { return l.albedo(wo); }, lobe);
-}
-
 Spectrum positive(Spectrum s) {
   return {std::max(s.r, 0.0f), std::max(s.g, 0.0f), std::max(s.b, 0.0f)};
 }
@@ -50,30 +46,36 @@ void Bsdf::append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* ta
   if (!is_finite(weight) || !is_finite(normal)) return;
   weight = positive(weight);
   if (is_black(weight)) return;
-  Lobe valid = lobe;
-  if (!std::visit([](auto& l) { return l.make_valid(); }, valid)) return;
-
-  Weighted* entry = entries_.data() + count_;
-  if (count_ < k_max_lobes) {
-    ++count_;
-  } else {
-    entry = std::min_element(
-        entries_.data(), entries_.data() + count_,
-        [](const Weighted& a, const Weighted& b) { return mean(a.weight) < mean(b.weight); });
-    if (mean(entry->weight) >= mean(weight)) return;
-  }
+  // There is room for one more than is kept.
+  Weighted& entry = entries_[static_cast<size_t>(count_)];
+  entry.lobe = lobe;
+  const bool is_valid = visit_lobe(
+      [&entry](auto& l) {
+        entry.lobe_class = l.lobe_class();
+        return l.make_valid();
+      },
+      entry.lobe);
+  if (!is_valid) return;
   const Vec3 raised = ensure_valid_reflection(geometric_normal_, wo_, normal);
   const bool has_tangent = tangent && is_finite(*tangent);
-  entry->lobe = valid;
-  entry->weight = weight;
-  entry->frame =
+  entry.weight = weight;
+  entry.frame =
       has_tangent ? Frame::from_normal_tangent(raised, *tangent) : Frame::from_normal(raised);
-  entry->wo = entry->frame.to_local(wo_);
-  entry->wo.z = std::max(entry->wo.z, k_min_cos);
-  entry->lobe_class = std::visit([](const auto& l) { return l.lobe_class(); }, valid);
+  entry.wo = entry.frame.to_local(wo_);
+  entry.wo.z = std::max(entry.wo.z, k_min_cos);
   const bool scatters_diffusely =
-      entry->lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(valid);
-  entry->is_bumped = scatters_diffusely && differ(raised, shading_normal_);
+      entry.lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(entry.lobe);
+  entry.is_bumped = scatters_diffusely && differ(raised, shading_normal_);
+  if (++count_ > k_max_lobes) drop_faintest();
+}
+
+void Bsdf::drop_faintest() {
+  const auto end = entries_.begin() + count_;
+  const auto faintest = std::min_element(
+      entries_.begin(), end,
+      [](const Weighted& a, const Weighted& b) { return mean(a.weight) < mean(b.weight); });
+  std::move(faintest + 1, end, faintest);
+  --count_;
 }
 
 void Bsdf::drop_caustics(bool reflective, bool refractive) {
@@ -91,9 +93,12 @@ void Bsdf::finish() {
   float total = 0.0f;
   for (int i = 0; i < count_; ++i) {
     Weighted& entry = entries_[static_cast<size_t>(i)];
-    entry.is_delta = std::visit([](const auto& l) { return l.is_delta(); }, entry.lobe);
-    const Spectrum albedo = albedo_of(entry.lobe, entry.wo);
-    entry.probability = mean(entry.weight * albedo);
+    entry.probability = visit_lobe(
+        [&entry](const auto& l) {
+          entry.is_delta = l.is_delta();
+          return mean(entry.weight * l.albedo(entry.wo));
+        },
+        entry.lobe);
     if (!entry.is_delta)
       entry.probability = std::max(entry.probability, k_min_albedo * mean(entry.weight));
     total += entry.probability;
@@ -115,7 +120,7 @@ bool Bsdf::reaches(LobeClass c, Vec3 wi) const {
 
 LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
   const Vec3 wi_local = entry.frame.to_local(wi);
-  LobeEval e = std::visit([&](const auto& l) { return l.eval(entry.wo, wi_local); }, entry.lobe);
+  LobeEval e = visit_lobe([&](const auto& l) { return l.eval(entry.wo, wi_local); }, entry.lobe);
   e.value *= entry.weight;
   if (entry.is_bumped) e.value *= bump_shadowing(shading_normal_, entry.frame.z, wi);
   return e;
@@ -146,10 +151,14 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   }
   if (!chosen) return std::nullopt;
 
-  const std::optional<LobeSample> local =
-      std::visit([&](const auto& l) { return l.sample(chosen->wo, u); }, chosen->lobe);
-  if (!local) return std::nullopt;
   BsdfSample s;
+  const std::optional<LobeSample> local = visit_lobe(
+      [&](const auto& l) {
+        s.roughness = l.roughness();
+        return l.sample(chosen->wo, u);
+      },
+      chosen->lobe);
+  if (!local) return std::nullopt;
   s.wi = chosen->frame.to_world(local->wi);
   s.lobe_class = chosen->lobe_class;
   s.is_delta = chosen->is_delta;
@@ -157,8 +166,6 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
       chosen->lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(chosen->lobe);
   if (s.lobe_class == LobeClass::transparent) s.wi = -wo_;
   if (!reaches(s.lobe_class, s.wi)) return std::nullopt;
-  s.roughness = std::visit([](const auto& l) { return l.roughness(); }, chosen->lobe);
-
   s.pdf = chosen->probability * local->pdf;
   if (s.is_delta) s.roughness = 0.0f;
   if (s.is_delta || count_ == 1) {
@@ -193,7 +200,9 @@ Spectrum Bsdf::albedo(LobeSet lobes) const {
   Spectrum sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
-    if (lobes.has(entry.lobe_class)) sum += entry.weight * albedo_of(entry.lobe, entry.wo);
+    if (lobes.has(entry.lobe_class))
+      sum +=
+          entry.weight * visit_lobe([&](const auto& l) { return l.albedo(entry.wo); }, entry.lobe);
   }
   return sum;
 }
@@ -210,7 +219,7 @@ Vec3 Bsdf::average_normal() const {
 void Bsdf::widen(float alpha) {
   if (!std::isfinite(alpha)) return;
   for (int i = 0; i < count_; ++i)
-    std::visit([&](auto& l) { l.widen(std::min(alpha, 1.0f)); },
+    visit_lobe([&](auto& l) { l.widen(std::min(alpha, 1.0f)); },
                entries_[static_cast<size_t>(i)].lobe);
   finish();
 }

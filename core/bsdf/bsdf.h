@@ -83,11 +83,12 @@ class Bsdf {
     bool is_bumped = false;  // diffuse or translucent, around another normal than the shading one
   };
   void append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent);
+  void drop_faintest();
   // One entry's part of `eval`: its value times weight, its pdf without the probability.
   LobeEval eval_entry(const Weighted& entry, Vec3 wi) const;
   bool reaches(LobeClass c, Vec3 wi) const;
 
-  std::array<Weighted, k_max_lobes> entries_;
+  std::array<Weighted, k_max_lobes + 1> entries_;
   int count_ = 0;
   LobeSet lobes_ = LobeSet::none(), smooth_lobes_ = LobeSet::none();
   Vec3 geometric_normal_, shading_normal_, wo_;

@@ -33,4 +33,16 @@ using Lobe = std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 
+// `f` of whichever lobe this is. std::visit calls through a table, which the compiler does not see
+// through; the chain becomes a jump, and small lobes are inlined.
+template <size_t k_first = 0, class F, class L>
+constexpr decltype(auto) visit_lobe(F&& f, L& lobe) {
+  if constexpr (k_first + 1 == std::variant_size_v<Lobe>) {
+    return f(*std::get_if<k_first>(&lobe));
+  } else {
+    if (lobe.index() == k_first) return f(*std::get_if<k_first>(&lobe));
+    return visit_lobe<k_first + 1>(f, lobe);
+  }
+}
+
 }  // namespace tenniel

@@ -96,7 +96,7 @@ inline std::vector<LobeCase> delta_cases() {
 inline std::vector<LobeCase> smooth_cases() {
   std::vector<LobeCase> cases = diffuse_cases();
   for (LobeCase& c : microfacet_cases())
-    if (!std::visit([](const auto& l) { return l.is_delta(); }, c.lobe)) cases.push_back(c);
+    if (!visit_lobe([](const auto& l) { return l.is_delta(); }, c.lobe)) cases.push_back(c);
   return cases;
 }
 
@@ -108,10 +108,10 @@ inline std::vector<LobeCase> all_cases() {
 }
 
 inline LobeEval eval(const Lobe& lobe, Vec3 wo, Vec3 wi) {
-  return std::visit([&](const auto& l) { return l.eval(wo, wi); }, lobe);
+  return visit_lobe([&](const auto& l) { return l.eval(wo, wi); }, lobe);
 }
 inline std::optional<LobeSample> sample(const Lobe& lobe, Vec3 wo, Vec2 u) {
-  return std::visit([&](const auto& l) { return l.sample(wo, u); }, lobe);
+  return visit_lobe([&](const auto& l) { return l.sample(wo, u); }, lobe);
 }
 
 inline Vec3 direction(float theta_degrees, float phi_degrees) {

@@ -11,7 +11,7 @@ namespace tenniel {
 namespace {
 
 bool is_delta(const Lobe& lobe) {
-  return std::visit([](const auto& l) { return l.is_delta(); }, lobe);
+  return visit_lobe([](const auto& l) { return l.is_delta(); }, lobe);
 }
 
 float relative_difference(float a, float b) {
@@ -92,7 +92,7 @@ TEST_P(LobeContract, AlbedoIsPositiveWhereTheLobeIs) {
   LocalRandom random(13);
   for (const float theta : k_angles) {
     const Vec3 wo = direction(theta, 40.0f);
-    const Spectrum albedo = std::visit([&](const auto& l) { return l.albedo(wo); }, c.lobe);
+    const Spectrum albedo = visit_lobe([&](const auto& l) { return l.albedo(wo); }, c.lobe);
     bool scatters = false;
     for (int i = 0; i < 100; ++i) {
       const auto s = sample(c.lobe, wo, random.get_2d());
@@ -106,7 +106,7 @@ TEST_P(LobeContract, AlbedoIsPositiveWhereTheLobeIs) {
 // Each lobe scatters into the half of the sphere that its class says.
 TEST_P(LobeContract, StaysOnItsSide) {
   const LobeCase& c = GetParam();
-  const LobeClass lobe_class = std::visit([](const auto& l) { return l.lobe_class(); }, c.lobe);
+  const LobeClass lobe_class = visit_lobe([](const auto& l) { return l.lobe_class(); }, c.lobe);
   const bool passes = lobe_class == LobeClass::transmission || lobe_class == LobeClass::transparent;
   LocalRandom random(14);
   for (int i = 0; i < 2000; ++i) {

@@ -101,10 +101,9 @@ Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const
 }
 
 Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
-                      const WorldGroup& group, const ShadingPoint& point, Worker& worker) {
-  const float u_light = worker.sampler.get_1d();
-  const Vec2 u = worker.sampler.get_2d();
-  const auto choice = scene.light_samplers[group.world].choose(point, u_light);
+                      const WorldGroup& group, const ShadingPoint& point, const LightNumbers& u,
+                      Worker& worker) {
+  const auto choice = scene.light_samplers[group.world].choose(point, u.choice);
   if (!choice) return {};
   const Light& light = scene.lights[choice->light];
   if (state.info.ray_depth > light.max_bounces) return {};
@@ -112,7 +111,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
   path.world = group.world;
   ++path.ray_depth;
   path.is_light_sample = true;
-  const auto sample = sample_light(scene, light, point, path, u, worker.light);
+  const auto sample = sample_light(scene, light, point, path, u.place, worker.light);
   if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
 
   const Bsdf& bsdf = worker.surface.bsdf;
@@ -163,13 +162,9 @@ Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Work
     float weight = 1.0f;
     if (state.pdf > 0.0f) {
       // The density is seen from where the path last scattered, also through transparent surfaces.
-      Ray from_origin = state.ray;
-      from_origin.origin = state.origin.position;
-      from_origin.t_min = 0.0f;
-      const auto seen = intersect_lamp(light, from_origin);
       const float light_pdf =
-          seen ? seen->pdf * scene.light_samplers[state.info.world].probability(state.origin, index)
-               : 0.0f;
+          lamp_pdf(light, state.origin, state.ray.direction) *
+          scene.light_samplers[state.info.world].probability(state.origin, index);
       weight = power_heuristic(state.pdf, light_pdf);
     }
     Spectrum radiance = hit->radiance;

@@ -8,11 +8,18 @@
 
 namespace tenniel {
 
+// The numbers that one light sample takes.
+struct LightNumbers {
+  float choice;
+  Vec2 place;
+};
+
 // Next-event estimation for one group of lobes of the surface in `worker.surface`: light that a
 // sampled light sends there in the group's world, times the group's scattering. The partner of the
 // light sample's weight is the density of the same group alone.
 Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
-                      const WorldGroup& group, const ShadingPoint& point, Worker& worker);
+                      const WorldGroup& group, const ShadingPoint& point, const LightNumbers& u,
+                      Worker& worker);
 
 // Share of the light that reaches `ray.t_max` in `world`; surfaces dim it by their transparency.
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,

@@ -12,9 +12,9 @@ namespace tenniel {
 
 namespace {
 
-// Requests to the sampler per path vertex: two light samples of three, a lobe, a direction,
-// roulette.
-constexpr uint32_t k_dimensions_per_vertex = 8;
+// Requests to the sampler per path vertex: those of VertexNumbers and, on a looking glass, a second
+// light sample.
+constexpr uint32_t k_dimensions_per_vertex = VertexNumbers::k_requests + 3;
 constexpr uint32_t k_camera_dimensions = 8;
 // A path that only passes through surfaces ends here whatever the settings say.
 constexpr uint32_t k_max_vertices = 1024;
@@ -39,7 +39,7 @@ class PathTracer {
   void evaluate(const SurfaceInteraction& at);
   bool apply_holdout(const SurfaceInteraction& at);
   void record_first_surface(const SurfaceInteraction& at);
-  bool survives();
+  bool survives(float u);
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
   bool may_still_meet_light();
@@ -53,6 +53,7 @@ class PathTracer {
   const RenderSettings& settings_;
   Worker& worker_;
   PathState state_;
+  VertexNumbers numbers_{};
   SampleResult result_;
   bool is_recorded_ = false;
 };
@@ -84,14 +85,14 @@ SampleResult PathTracer::trace(Vec2 raster) {
       add_background();
       break;
     }
-    SurfaceInteraction at = scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
+    SurfaceInteraction& at = worker_.surface.surface;
+    at = scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
     at.t += state_.length_before;
     if (scene_.has_media && !scene_.material_at(at, state_.info.world).has_surface) {
       const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
       if (!pass_on(at, groups.of(LobeClass::transparent))) break;
       continue;
     }
-    worker_.sampler.set_dimension(k_camera_dimensions + state_.vertices * k_dimensions_per_vertex);
     evaluate(at);
     if (apply_holdout(at)) break;
     add_emission(at);
@@ -101,6 +102,9 @@ SampleResult PathTracer::trace(Vec2 raster) {
     const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
     const ShadingPoint point{at.position, at.shading_normal,
                              !bsdf.smooth_lobes().has(LobeClass::transmission)};
+    if (!state_.ends_after_transparent)
+      numbers_ = worker_.sampler.vertex_numbers(k_camera_dimensions +
+                                                state_.vertices * k_dimensions_per_vertex);
     add_direct_light(groups, point);
     if (!bounce(at, groups, point)) break;
   }
@@ -152,14 +156,14 @@ MediumEvent PathTracer::walk_media(float length) {
   add(walk.lamp_light(state_, worker_), state_.info.ray_depth, state_.has_entered);
   const MediumEvent event = walk.advance(state_, worker_);
   if (event != MediumEvent::scattered) return event;
-  const bool goes_on = survives() && (!state_.ends_after_transparent || may_still_meet_light());
+  const bool goes_on = survives(worker_.sampler.get_1d()) &&
+                       (!state_.ends_after_transparent || may_still_meet_light());
   return goes_on ? event : MediumEvent::ended;
 }
 
 void PathTracer::evaluate(const SurfaceInteraction& at) {
   const Material& material = scene_.material_at(at, state_.info.world);
   ShadingContext& context = worker_.surface;
-  context.surface = at;
   context.path = state_.info;
   context.domain = ShaderDomain::surface;
   context.camera = &scene_.camera_info;
@@ -211,10 +215,10 @@ void PathTracer::record_first_surface(const SurfaceInteraction& at) {
 }
 
 // Decided before the ray is traced: a path that ends costs no ray more.
-bool PathTracer::survives() {
+bool PathTracer::survives(float u) {
   const float probability = survival_probability(state_, settings_);
   if (probability >= 1.0f) return true;
-  if (worker_.sampler.get_1d() >= probability) return false;
+  if (u >= probability) return false;
   state_.throughput *= 1.0f / probability;
   return true;
 }
@@ -222,12 +226,16 @@ bool PathTracer::survives() {
 void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint& point) {
   if (state_.ends_after_transparent || sees_emission_only(state_, settings_)) return;
   const LobeSet smooth = worker_.surface.bsdf.smooth_lobes();
-  for (const WorldGroup& group : {groups.keeping, groups.entering}) {
-    if ((smooth & group.lobes).empty()) continue;
-    const Spectrum radiance = direct_light(scene_, settings_, state_, group, point, worker_);
+  const auto add_group = [&](const WorldGroup& group, const LightNumbers& u) {
+    const Spectrum radiance = direct_light(scene_, settings_, state_, group, point, u, worker_);
     if (!is_black(radiance))
       add(radiance, state_.info.ray_depth, state_.has_entered || group.enters);
-  }
+  };
+  if (!(smooth & groups.keeping.lobes).empty())
+    add_group(groups.keeping, {numbers_.light, numbers_.on_light});
+  if ((smooth & groups.entering.lobes).empty()) return;
+  const float choice = worker_.sampler.get_1d();
+  add_group(groups.entering, {choice, worker_.sampler.get_2d()});
 }
 
 // Into the world that the lobes of `group` lead to, and into the media there.
@@ -271,8 +279,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
     const WorldGroup& group = groups.of(LobeClass::transparent);
     return !is_black(context.transparency) && pass_through(at, context.transparency, group);
   }
-  const float u_lobe = worker_.sampler.get_1d();
-  auto sample = context.bsdf.sample(u_lobe, worker_.sampler.get_2d());
+  auto sample = context.bsdf.sample(numbers_.lobe, numbers_.wi);
   if (!sample) return false;
   const WorldGroup& group = groups.of(sample->lobe_class);
   if (sample->lobe_class == LobeClass::transparent) return pass_through(at, sample->weight, group);
@@ -300,7 +307,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;
   state_.length_before = 0.0f;
-  return survives() && (!state_.ends_after_transparent || may_still_meet_light());
+  return survives(numbers_.roulette) && (!state_.ends_after_transparent || may_still_meet_light());
 }
 
 // The last segment of a path can only pick up light: where none lies ahead it need not be traced.

@@ -7,8 +7,13 @@ namespace tenniel {
 
 namespace {
 
-// Below this a spherical rectangle has lost its digits and the plain area does better.
-constexpr float k_min_solid_angle = 1e-3f;
+// From further away than the root of this many areas a lamp is drawn by the estimate at its
+// corners, nearer by its solid angle.
+constexpr float k_near = 2.0f;
+
+// Least share of the brightest corner that any corner is drawn with: normal maps shade with other
+// normals than the point's.
+constexpr float k_min_share = 0.05f;
 
 }  // namespace
 
@@ -30,6 +35,7 @@ void AreaLight::set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v,
   is_rectangle = std::abs(dot(axis_u, axis_v)) <= 1e-4f;
   const Vec3 plane = cross(edge_u, edge_v);
   const float squared = length_squared(plane);
+  parallelogram = std::sqrt(squared);
   if (!(squared > 0.0f)) return;
   dual_u = cross(edge_v, plane) / squared;
   dual_v = cross(plane, edge_u) / squared;
@@ -50,38 +56,83 @@ float AreaLight::attenuation(float cosine) const {
   return std::max((1.0f - tan_spread * tangent) * spread_normalization, 0.0f);
 }
 
-float AreaLight::pdf(Vec3 from, float distance, float cosine) const {
-  if (is_rectangle && !is_ellipse) {
-    const SphericalRectangle rectangle = seen_from(from);
-    if (rectangle.solid_angle() > k_min_solid_angle) return rectangle.pdf();
+AreaLight::Method AreaLight::method_for(Vec3 from) const {
+  if (is_ellipse) return Method::uniform_area;
+  const bool is_near = length_squared(center - from) < k_near * parallelogram;
+  return is_near && is_rectangle ? Method::solid_angle : Method::bilinear;
+}
+
+// What each corner sends to the point, up to a factor: cosines at both ends over the squared
+// distance (after Hart et al. 2020, "Practical Product Sampling by Fitting and Composing Warps").
+// The cosine at the lamp is the height above its plane, common to all corners, over the distance.
+BilinearSquare AreaLight::irradiance_estimate(const ShadingPoint& point) const {
+  const Vec3 first = center - (edge_u + edge_v) * 0.5f - point.position;
+  const std::array<Vec3, 4> corners{first, first + edge_u, first + edge_v, first + edge_u + edge_v};
+  std::array<float, 4> value;
+  float largest = 0.0f;
+  for (size_t i = 0; i < 4; ++i) {
+    const float d2 = length_squared(corners[i]);
+    value[i] = point.has_hemisphere ? std::max(dot(corners[i], point.normal), 0.0f) / sqr(d2)
+                                    : 1.0f / (d2 * std::sqrt(d2));
+    largest = std::max(largest, value[i]);
   }
-  return sqr(distance) / (area() * cosine);
+  for (float& v : value)
+    v = largest > 0.0f ? std::max(v, k_min_share * largest) : 1.0f;
+  return BilinearSquare(value);
+}
+
+float AreaLight::pdf(const ShadingPoint& point, Vec3 wi) const {
+  const float cosine = -dot(wi, normal);
+  const Vec3 to_center = center - point.position;
+  const float distance = -dot(to_center, normal) / cosine;
+  if (!(cosine > 0.0f) || !(distance > 0.0f)) return 0.0f;
+  const Method method = method_for(point.position);
+  if (method == Method::solid_angle) {
+    const SphericalRectangle rectangle = seen_from(point.position);
+    if (rectangle.solid_angle() > 0.0f) return rectangle.pdf();
+  }
+  float by_area = 1.0f / area();
+  if (method == Method::bilinear) {
+    const Vec3 local = wi * distance - to_center;
+    by_area *=
+        irradiance_estimate(point).pdf({dot(local, dual_u) + 0.5f, dot(local, dual_v) + 0.5f});
+  }
+  return by_area * sqr(distance) / cosine;
 }
 
 std::optional<LightSample> AreaLight::sample(const ShadingPoint& point, Vec2 u) const {
-  if (dot(point.position - center, normal) <= 0.0f) return {};
-  Vec3 on_light;
-  float solid_angle = 0.0f;
-  if (is_ellipse) {
-    const Vec2 disk = warp_concentric_disk(u) * 0.5f;
-    on_light = center + edge_u * disk.x + edge_v * disk.y;
-  } else {
-    const SphericalRectangle rectangle = seen_from(point.position);
-    if (is_rectangle && rectangle.solid_angle() > k_min_solid_angle) {
+  const Vec3 to_center = center - point.position;
+  if (dot(to_center, normal) >= 0.0f) return {};
+  Vec3 to_light;
+  float solid_angle = 0.0f, by_area = 1.0f / area();
+  switch (method_for(point.position)) {
+    case Method::uniform_area: {
+      const Vec2 disk = warp_concentric_disk(u) * 0.5f;
+      to_light = to_center + edge_u * disk.x + edge_v * disk.y;
+      break;
+    }
+    case Method::bilinear: {
+      const BilinearSquare estimate = irradiance_estimate(point);
+      const Vec2 at = estimate.sample(u);
+      by_area *= estimate.pdf(at);
+      to_light = to_center + edge_u * (at.x - 0.5f) + edge_v * (at.y - 0.5f);
+      break;
+    }
+    case Method::solid_angle: {
+      const SphericalRectangle rectangle = seen_from(point.position);
       solid_angle = rectangle.solid_angle();
-      on_light = rectangle.sample(u);
-    } else {
-      on_light = center + edge_u * (u.x - 0.5f) + edge_v * (u.y - 0.5f);
+      to_light = solid_angle > 0.0f ? rectangle.sample(u) - point.position
+                                    : to_center + edge_u * (u.x - 0.5f) + edge_v * (u.y - 0.5f);
+      break;
     }
   }
-  const Vec3 to_light = on_light - point.position;
   const float distance = length(to_light);
   const Vec3 wi = to_light / distance;
   const float cosine = -dot(wi, normal);
   if (!(cosine > 0.0f)) return {};
   const float factor = attenuation(cosine);
   if (factor == 0.0f) return {};
-  const float density = solid_angle > 0.0f ? 1.0f / solid_angle : sqr(distance) / (area() * cosine);
+  const float density = solid_angle > 0.0f ? 1.0f / solid_angle : by_area * sqr(distance) / cosine;
   return LightSample{wi, distance, radiance * factor, density, false};
 }
 
@@ -95,7 +146,7 @@ std::optional<LampHit> AreaLight::intersect(const Ray& ray) const {
   const bool inside =
       is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
   if (!inside) return {};
-  return LampHit{t, radiance * attenuation(cosine), pdf(ray.origin, t, cosine)};
+  return LampHit{t, radiance * attenuation(cosine)};
 }
 
 }  // namespace tenniel

@@ -18,27 +18,29 @@ struct AreaLight {
   Vec3 axis_u, axis_v;  // unit, along the edges
   float length_u = 0.0f, length_v = 0.0f;
   Vec3 dual_u, dual_v;  // coordinates along the edges of a point in the plane; sheared lamps too
+  float parallelogram = 0.0f;  // area spanned by the edges
   bool is_ellipse = false;
-  bool is_rectangle = true;  // perpendicular edges: sampled by solid angle
+  bool is_rectangle = true;  // perpendicular edges: sampled by solid angle from nearby
   Spectrum radiance;         // along the normal
   float tan_spread = 0.0f;   // tan of the complement of half the spread; 0 = no limit
   float spread_normalization = 1.0f;
 
-  float area() const {
-    const float rectangle = length(cross(edge_u, edge_v));
-    return is_ellipse ? rectangle * (k_pi / 4.0f) : rectangle;
-  }
+  float area() const { return is_ellipse ? parallelogram * (k_pi / 4.0f) : parallelogram; }
   // Sets center, edges and what follows from them.
   void set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v, Vec3 shining_side);
   // Sets the limit of the beam; `spread` is Blender's full angle in radians.
   void set_spread(float spread);
   std::optional<LightSample> sample(const ShadingPoint& point, Vec2 u) const;
   std::optional<LampHit> intersect(const Ray& ray) const;
+  float pdf(const ShadingPoint& point, Vec3 wi) const;
 
  private:
+  // How a point draws places on the lamp.
+  enum class Method { uniform_area, bilinear, solid_angle };
+  Method method_for(Vec3 from) const;
   SphericalRectangle seen_from(Vec3 from) const;
+  BilinearSquare irradiance_estimate(const ShadingPoint& point) const;
   float attenuation(float cosine) const;
-  float pdf(Vec3 from, float distance, float cosine) const;
 };
 
 }  // namespace tenniel

@@ -72,6 +72,15 @@ std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray) {
                     light.shape);
 }
 
+float lamp_pdf(const Light& light, const ShadingPoint& point, Vec3 wi) {
+  return std::visit(Overloaded{
+                        [](const MeshLight&) { return 0.0f; },
+                        [](const EnvironmentLight&) { return 0.0f; },
+                        [&](const auto& lamp) { return lamp.pdf(point, wi); },
+                    },
+                    light.shape);
+}
+
 float light_importance(const Light& light, const ShadingPoint& point) {
   const auto point_lamp = [&](const PointLight& l, float factor) {
     const float area = l.radius > 0.0f ? l.area() : 1.0f;

@@ -40,6 +40,8 @@ bool is_hittable(const Light& light);
 // Toward a lamp; empty for mesh lights and the environment, whose radiance takes a shader.
 std::optional<LightSample> sample_lamp(const Light& light, const ShadingPoint& point, Vec2 u);
 std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray);
+// Density with which `sample_lamp` draws `wi`, a direction that meets the lamp.
+float lamp_pdf(const Light& light, const ShadingPoint& point, Vec3 wi);
 
 // An estimate of the irradiance that `light` may cause at `point`, never 0 where it may cause any:
 // the weight of choosing it.

@@ -27,7 +27,6 @@ struct LightSample {
 struct LampHit {
   float t = 0.0f;
   Spectrum radiance;
-  float pdf = 0.0f;  // of having sampled this direction from the ray's origin
 };
 
 }  // namespace tenniel

@@ -34,18 +34,31 @@ struct PointLight {
   }
 
   std::optional<LampHit> intersect(const Ray& ray) const {
-    const Vec3 to_center = position - ray.origin;
-    const float center_distance = length(to_center);
-    if (!(center_distance > 0.0f)) return {};
-    const Vec3 axis = to_center / center_distance;
-    const float cosine = dot(ray.direction, axis);
-    if (!(cosine > 0.0f)) return {};
-    const float t = center_distance / cosine;
-    if (length_squared(ray.direction * t - to_center) > sqr(radius)) return {};
-    return LampHit{t, radiance, pdf(t, cosine)};
+    const auto place = meet(ray.origin, ray.direction);
+    if (!place) return {};
+    return LampHit{place->distance, radiance};
+  }
+
+  // Density of `sample` toward `wi`.
+  float pdf(const ShadingPoint& point, Vec3 wi) const {
+    const auto place = meet(point.position, wi);
+    return place ? pdf(place->distance, place->cosine) : 0.0f;
   }
 
  private:
+  struct Place {
+    float distance, cosine;
+  };
+  std::optional<Place> meet(Vec3 from, Vec3 wi) const {
+    const Vec3 to_center = position - from;
+    const float center_distance = length(to_center);
+    if (!(center_distance > 0.0f)) return {};
+    const float cosine = dot(wi, to_center / center_distance);
+    if (!(cosine > 0.0f)) return {};
+    const float t = center_distance / cosine;
+    if (length_squared(wi * t - to_center) > sqr(radius)) return {};
+    return Place{t, cosine};
+  }
   float pdf(float distance, float cosine) const { return sqr(distance) / (area() * cosine); }
 };
 

@@ -34,6 +34,8 @@ struct SpotLight {
     if (hit) hit->radiance *= attenuation(-ray.direction);
     return hit;
   }
+
+  float pdf(const ShadingPoint& at, Vec3 wi) const { return point.pdf(at, wi); }
 };
 
 }  // namespace tenniel

@@ -28,13 +28,20 @@ struct SunLight {
 
   std::optional<LampHit> intersect(const Ray& ray) const {
     const float cosine = dot(ray.direction, axis);
-    if (disk_radius == 0.0f || !(cosine > 0.0f)) return {};
-    if (1.0f / sqr(cosine) - 1.0f > sqr(disk_radius)) return {};
-    const float density = pdf(cosine);
-    return LampHit{k_infinity, irradiance * density, density};
+    if (disk_radius == 0.0f) return {};
+    if (!is_on_disk(cosine)) return {};
+    return LampHit{k_infinity, irradiance * pdf(cosine)};
+  }
+
+  float pdf(const ShadingPoint&, Vec3 wi) const {
+    const float cosine = dot(wi, axis);
+    return disk_radius > 0.0f && is_on_disk(cosine) ? pdf(cosine) : 0.0f;
   }
 
  private:
+  bool is_on_disk(float cosine) const {
+    return cosine > 0.0f && 1.0f / sqr(cosine) - 1.0f <= sqr(disk_radius);
+  }
   // d(disk area) / d(solid angle) = 1 / cos^3 at distance 1.
   float pdf(float cosine) const { return 1.0f / (k_pi * sqr(disk_radius) * cosine * sqr(cosine)); }
 };

@@ -60,8 +60,10 @@ constexpr uint32_t hash_uint(uint32_t x, uint32_t y, uint32_t z, uint32_t w) {
   return detail::jenkins_final(a + w, b, c);
 }
 
-// A full 32-bit avalanche (Chris Wellons' lowbias32), for seeds of random streams.
-constexpr uint32_t mix_bits(uint32_t x) {
+// A full 32-bit avalanche (Chris Wellons' lowbias32), for seeds of random streams; of one word or
+// of a vector of them.
+template <class U>
+constexpr U mix_bits(U x) {
   x ^= x >> 16;
   x *= 0x7feb352du;
   x ^= x >> 15;

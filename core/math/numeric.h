@@ -48,6 +48,16 @@ inline float fast_asin(float x) {
   p = p * a + 1.5707963050f;
   return std::copysign(0.5f * k_pi - std::sqrt(1.0f - a) * p, x);
 }
+// sin and cos of x in [-pi/4, pi/4] to 1e-7 by polynomials (Moshier's Cephes, sinf.c).
+inline float sin_near_zero(float x) {
+  const float z = x * x;
+  return ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * x + x;
+}
+inline float cos_near_zero(float x) {
+  const float z = x * x;
+  const float p = (2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f;
+  return p * z * z - 0.5f * z + 1.0f;
+}
 // Zero where the divisor is zero: Blender's convention in every shader node.
 constexpr float safe_divide(float a, float b) {
   return b != 0.0f ? a / b : 0.0f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -10,7 +11,11 @@
 namespace tenniel {
 
 namespace detail {
-constexpr uint32_t reverse_bits(uint32_t x) {
+// The arithmetic below works on one number or, lane by lane, on eight.
+using Lanes = uint32_t __attribute__((vector_size(32)));
+
+template <class U>
+constexpr U reverse_bits(U x) {
   x = (x & 0x0000ffffu) << 16 | x >> 16;
   x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
   x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
@@ -20,7 +25,8 @@ constexpr uint32_t reverse_bits(uint32_t x) {
 
 // Owen scrambling of a bit-reversed number: every bit is flipped by a hash of the bits below it
 // (Laine & Karras 2011, eq. 12, with the constants of Vegdahl 2021, "Building a Better LK Hash").
-constexpr uint32_t permute_reversed(uint32_t x, uint32_t seed) {
+template <class U>
+constexpr U permute_reversed(U x, U seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= seed >> 16 | 1u;
@@ -32,14 +38,27 @@ constexpr uint32_t permute_reversed(uint32_t x, uint32_t seed) {
 // Second Sobol dimension, bit-reversed: the Pascal matrix modulo 2 times the index, factored into
 // the powers of two (Ahmed 2024, "An Implementation Algorithm of 2D Sobol Sequence"). The first
 // dimension, bit-reversed, is the index itself.
-constexpr uint32_t reversed_sobol_1(uint32_t index) {
+template <class U>
+constexpr U reversed_sobol_1(U index) {
   index ^= index >> 16;
   index ^= (index & 0xff00ff00u) >> 8;
   index ^= (index & 0xf0f0f0f0u) >> 4;
   index ^= (index & 0xccccccccu) >> 2;
   return index ^ (index & 0xaaaaaaaau) >> 1;
 }
+
+constexpr uint32_t k_salt_x = 0x3c6ef372u, k_salt_y = 0xa54ff53au;
 }  // namespace detail
+
+// What one path vertex draws, made at once: the lanes of a vector hide each other's latency.
+struct VertexNumbers {
+  float light;     // request 0
+  Vec2 on_light;   // request 1
+  float lobe;      // request 2
+  Vec2 wi;         // request 3
+  float roulette;  // request 4
+  static constexpr uint32_t k_requests = 5;
+};
 
 // Owen-scrambled Sobol points, padded: each request takes the first one or two Sobol dimensions
 // with its own shuffle of the sample index and its own scramble (Burley 2020, "Practical Hash-based
@@ -62,19 +81,19 @@ class Sampler {
   // [0, 1)
   float get_1d() {
     const uint32_t seed = next_seed();
-    return scrambled(shuffled_index(seed), mix_bits(seed ^ k_salt_x));
+    return scrambled(shuffled_index(seed), mix_bits(seed ^ detail::k_salt_x));
   }
   // [0, 1)^2
   Vec2 get_2d() {
     const uint32_t seed = next_seed();
     const uint32_t index = shuffled_index(seed);
-    return {scrambled(index, mix_bits(seed ^ k_salt_x)),
-            scrambled(detail::reversed_sobol_1(index), mix_bits(seed ^ k_salt_y))};
+    return {scrambled(index, mix_bits(seed ^ detail::k_salt_x)),
+            scrambled(detail::reversed_sobol_1(index), mix_bits(seed ^ detail::k_salt_y))};
   }
+  // The same numbers as that many requests from `dimension` on, which stand one after the other.
+  VertexNumbers vertex_numbers(uint32_t dimension);
 
  private:
-  static constexpr uint32_t k_salt_x = 0x3c6ef372u, k_salt_y = 0xa54ff53au;
-
   uint32_t next_seed() { return mix_bits(pixel_ + dimension_++ * 0x9e3779b9u); }
   // Every aligned block of 2^k indices stays one block, so nets stay nets.
   uint32_t shuffled_index(uint32_t seed) const {
@@ -89,6 +108,24 @@ class Sampler {
   uint32_t reversed_index_ = 0;
   uint32_t dimension_ = 0;
 };
+
+inline VertexNumbers Sampler::vertex_numbers(uint32_t dimension) {
+  using detail::Lanes;
+  constexpr Lanes k_request = {0, 1, 1, 2, 3, 3, 4, 4};
+  constexpr Lanes k_takes_y = {0, 0, ~0u, 0, 0, ~0u, 0, 0};
+  constexpr Lanes k_salt = detail::k_salt_x ^ (k_takes_y & (detail::k_salt_x ^ detail::k_salt_y));
+  dimension_ = dimension + VertexNumbers::k_requests;
+  const Lanes seed = mix_bits(pixel_ + (dimension + k_request) * 0x9e3779b9u);
+  const Lanes index =
+      detail::reverse_bits(detail::permute_reversed(reversed_index_ + Lanes{}, seed));
+  const Lanes digits = (index & ~k_takes_y) | (detail::reversed_sobol_1(index) & k_takes_y);
+  const Lanes bits =
+      detail::reverse_bits(detail::permute_reversed(digits, Lanes(mix_bits(seed ^ k_salt))));
+  std::array<float, 8> u;
+  for (size_t i = 0; i < u.size(); ++i)
+    u[i] = uint_to_unit(bits[i]);
+  return {u[0], {u[1], u[2]}, u[3], {u[4], u[5]}, u[6]};
+}
 
 // Plain generator (PCG32, O'Neill 2014) for loops of unknown length; seed it from one dimension.
 class LocalRandom {

@@ -15,11 +15,12 @@ namespace tenniel {
 // Unit disk (Shirley & Chiu 1997): keeps neighbours and areas, hence the stratification.
 inline Vec2 warp_concentric_disk(Vec2 u) {
   const float a = 2.0f * u.x - 1.0f, b = 2.0f * u.y - 1.0f;
-  if (a == 0.0f && b == 0.0f) return {};
   const bool x_leads = std::abs(a) > std::abs(b);
-  const float radius = x_leads ? a : b;
-  const float phi = x_leads ? 0.25f * k_pi * (b / a) : 0.5f * k_pi - 0.25f * k_pi * (a / b);
-  return {radius * std::cos(phi), radius * std::sin(phi)};
+  const float radius = x_leads ? a : b, other = x_leads ? b : a;
+  if (radius == 0.0f) return {};
+  const float phi = 0.25f * k_pi * (other / radius);
+  const Vec2 along{radius * cos_near_zero(phi), radius * sin_near_zero(phi)};
+  return x_leads ? along : Vec2{along.y, along.x};
 }
 constexpr float concentric_disk_pdf() {
   return k_inv_pi;
@@ -90,6 +91,29 @@ constexpr std::array<float, 3> warp_triangle(Vec2 u) {
 constexpr float triangle_pdf(float area) {
   return 1.0f / area;
 }
+
+// The unit square with a density that is bilinear between its corners (values >= 0, not all 0):
+// `corners` = at (0, 0), (1, 0), (0, 1), (1, 1).
+class BilinearSquare {
+ public:
+  explicit constexpr BilinearSquare(const std::array<float, 4>& corners) : c_(corners) {}
+  Vec2 sample(Vec2 u) const {
+    const float y = sample_linear(u.y, c_[0] + c_[1], c_[2] + c_[3]);
+    return {sample_linear(u.x, lerp(c_[0], c_[2], y), lerp(c_[1], c_[3], y)), y};
+  }
+  constexpr float pdf(Vec2 at) const {
+    const float value = lerp(lerp(c_[0], c_[1], at.x), lerp(c_[2], c_[3], at.x), at.y);
+    return 4.0f * value / (c_[0] + c_[1] + c_[2] + c_[3]);
+  }
+
+ private:
+  // [0, 1] with a density that goes linearly from `a` to `b`, by inversion without cancellation.
+  static float sample_linear(float u, float a, float b) {
+    const float sum = a + b;
+    return sum > 0.0f ? std::min(u * sum / (a + std::sqrt(lerp(a * a, b * b, u))), 1.0f) : u;
+  }
+  std::array<float, 4> c_;
+};
 
 // A rectangle seen from a point, sampled uniformly in solid angle (Urena et al. 2013, "An
 // Area-Preserving Parametrization for Spherical Rectangles"). The angles of its corners are kept as

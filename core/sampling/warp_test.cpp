@@ -102,6 +102,33 @@ TEST(WarpStatistics, TriangleIsUniform) {
             k_limit);
 }
 
+// Cells of the square against the density at their middle, which is the mean of a bilinear
+// function.
+TEST(WarpStatistics, BilinearSquareFollowsItsPdf) {
+  for (const std::array<float, 4>& corners :
+       {std::array{1.0f, 1.0f, 1.0f, 1.0f}, std::array{0.0f, 1.0f, 2.0f, 5.0f},
+        std::array{3.0f, 0.0f, 0.0f, 0.1f}}) {
+    const BilinearSquare square(corners);
+    LocalRandom random(7);
+    constexpr size_t k_side = 8;
+    std::array<int, k_side * k_side> counts{};
+    for (int i = 0; i < k_samples; ++i) {
+      const Vec2 at = square.sample(random.get_2d());
+      ASSERT_TRUE(at.x >= 0.0f && at.x <= 1.0f && at.y >= 0.0f && at.y <= 1.0f);
+      ++counts[cell_of(at.x, at.y, k_side)];
+    }
+    double chi2 = 0.0;
+    for (size_t i = 0; i < counts.size(); ++i) {
+      const Vec2 middle{(static_cast<float>(i % k_side) + 0.5f) / k_side,
+                        (static_cast<float>(i / k_side) + 0.5f) / k_side};
+      const double expected = square.pdf(middle) * k_samples / counts.size();
+      chi2 += (counts[i] - expected) * (counts[i] - expected) / expected;
+    }
+    const double freedom = counts.size() - 1.0;
+    EXPECT_LT((chi2 - freedom) / std::sqrt(2.0 * freedom), k_limit);
+  }
+}
+
 TEST(WarpStatistics, PolygonIsUniform) {
   constexpr int k_sides = 5;
   constexpr float k_rotation = 0.4f;
