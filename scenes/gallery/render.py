@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Renders the gallery and writes its page; what `./tenniel gallery` runs.
+
+blender -b --factory-startup --addons tenniel --python-exit-code 1 --python scenes/gallery/render.py
+    -- --output FOLDER [--width PIXELS] [--no-cycles] [NAME...]
+"""
+
+import argparse
+import html
+import pathlib
+import sys
+import time
+
+import bpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+import gallery  # noqa: E402  (beside this file's folder, which Blender does not put on the path)
+import parts  # noqa: E402
+from gallery import metals, mirrors, textures  # noqa: E402,F401  (they fill gallery.EXHIBITS)
+
+# Blender's own defaults: pictures to look at, not to measure.
+_PICTURE_SETTINGS = {"sample_clamp_indirect": 10.0, "blur_glossy": 1.0}
+
+_PAGE = """<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>Tenniel: gallery</title>
+<style>body{{font-family:sans-serif;margin:2em;background:#1c1c1e;color:#ddd}}
+section{{display:inline-block;vertical-align:top;margin:0 1.5em 2em 0;max-width:{page_width}px}}
+h2{{font-size:1.1em;margin:0 0 .3em}}figure{{display:inline-block;margin:0 .4em 0 0}}
+figcaption,p{{font-size:.85em;color:#aaa}}</style>
+<h1>Tenniel: gallery</h1>
+<p>Left Tenniel, right Cycles with the same settings where it has the feature. Seconds are of the
+whole render, export included.</p>
+{sections}</html>
+"""
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="tenniel gallery")
+    parser.add_argument("--output", type=pathlib.Path, required=True)
+    parser.add_argument("--width", type=int, default=320)
+    parser.add_argument("--no-cycles", action="store_true")
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    found = parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
+    known = {item.name for item in gallery.EXHIBITS}
+    unknown = set(found.names) - known
+    if unknown:
+        parser.error(f"there is no exhibit {', '.join(sorted(unknown))}; "
+                     f"there are {', '.join(sorted(known))}")
+    return found
+
+
+def build(item, width):
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    scene = bpy.context.scene
+    item.build()
+    parts.render_settings(scene, width, width * 5 // 8, samples=item.samples,
+                          **_PICTURE_SETTINGS)
+    scene.view_settings.view_transform = 'Filmic'
+    settings = scene.render.image_settings
+    settings.file_format, settings.quality = 'JPEG', 90
+    scene.render.use_file_extension = False
+    return scene
+
+
+def picture(scene, engine, path):
+    """Renders to `path`; returns the seconds."""
+    scene.render.engine = engine
+    scene.render.filepath = str(path)
+    start = time.perf_counter()
+    bpy.ops.render.render(write_still=True)
+    return time.perf_counter() - start
+
+
+def section(item, seconds):
+    """The part of the page on one exhibit; `seconds`: engine -> seconds."""
+    figures = []
+    for engine, value in seconds.items():
+        suffix = "" if engine == 'TENNIEL' else "_cycles"
+        figures.append(f'<figure><img src="{item.name}{suffix}.jpg" alt="{engine.title()}">'
+                       f'<figcaption>{engine.title()}, {item.samples} samples, {value:.1f} s'
+                       f'</figcaption></figure>')
+    return (f'<section><h2>{html.escape(item.title)}</h2>{"".join(figures)}'
+            f'<p>{html.escape(item.text)}</p></section>\n')
+
+
+def main():
+    options = arguments()
+    output = options.output.resolve()
+    output.mkdir(parents=True, exist_ok=True)
+    chosen = [item for item in gallery.EXHIBITS
+              if not options.names or item.name in options.names]
+    sections = []
+    for item in chosen:
+        scene = build(item, options.width)
+        seconds = {'TENNIEL': picture(scene, 'TENNIEL', output / f"{item.name}.jpg")}
+        if item.in_cycles and not options.no_cycles:
+            seconds['CYCLES'] = picture(scene, 'CYCLES', output / f"{item.name}_cycles.jpg")
+        sections.append(section(item, seconds))
+        print(f"{item.name}: " + ", ".join(f"{engine.title()} {value:.1f} s"
+                                           for engine, value in seconds.items()), flush=True)
+    page = output / "index.html"
+    page.write_text(_PAGE.format(page_width=2 * options.width + 40, sections="".join(sections)),
+                    encoding="utf-8")
+    print(f"{len(chosen)} exhibits in {page}")
+
+
+if __name__ == "__main__":
+    main()
