@@ -192,6 +192,19 @@ def node_material(name, build):
     return material
 
 
+def volume_material(name, build_volume, build_surface=None):
+    """Material whose volume is what `build_volume(Nodes)` returns; without a surface by default."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    material.node_tree.nodes.clear()
+    nodes = Nodes(material.node_tree)
+    inputs = {"Volume": build_volume(nodes)}
+    if build_surface is not None:
+        inputs["Surface"] = build_surface(nodes)
+    nodes.add("ShaderNodeOutputMaterial", None, inputs)
+    return material
+
+
 def simple_material(node_type, name=None, settings=None, **inputs):
     """Material of one closure; inputs by name with _ for the space: `IOR=1.5`, `Base_Color=...`."""
     named = {key.replace("_", " "): value for key, value in inputs.items()}

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Participating media against Cycles: nodes, lamps in fog, glass, cameras inside, many objects."""
+import math
+
+from support import scene_factory
+from support.case import RenderTestCase
+
+
+def volume(node, **inputs):
+    """Maker of a material of one volume node and no surface."""
+    named = {key.replace("_", " "): value for key, value in inputs.items()}
+    return lambda: scene_factory.volume_material(node, lambda n: n.add(node, None, named))
+
+
+class VolumeCase(RenderTestCase):
+
+    def room(self, lamp="SUN", **settings):
+        """A floor, a coloured wall and a lamp; the middle is left for what is tested."""
+        scene_factory.plane(self.scene, 12.0, scene_factory.diffuse((0.7, 0.6, 0.5)),
+                            location=(0, 0, -1.2))
+        scene_factory.plane(self.scene, 12.0, scene_factory.diffuse((0.2, 0.4, 0.8)),
+                            location=(0, 4, 0), rotation=(90, 0, 0))
+        scene_factory.camera(self.scene, (1.5, -6, 2.5), (0, 0, 0), lens=45.0)
+        defaults = {"SUN": dict(energy=3.0, angle=0.1, rotation=(35, 20, 0)),
+                    "POINT": dict(energy=300.0, shadow_soft_size=0.1, location=(-1.8, -1.0, 2.0)),
+                    "AREA": dict(energy=300.0, size=1.0, location=(-1.5, 0, 2.5),
+                                 rotation=(0, -30, 0)),
+                    "SPOT": dict(energy=600.0, shadow_soft_size=0.05, spot_size=0.9,
+                                 location=(-2.0, 0, 2.0), rotation=(0, -45, 0))}[lamp]
+        scene_factory.lamp(self.scene, lamp, **{**defaults, **settings})
+
+    def agrees(self, name, samples=256, relative=0.005, block=12, seeds=3, max_noise=0.012,
+               volume_bounces=0, **arguments):
+        self.assert_agrees(name, samples=samples, resolution=(36, 36), block=block, seeds=seeds,
+                           relative=relative, max_noise=max_noise, absolute=2e-4,
+                           volume_bounces=volume_bounces, **arguments)
+
+    def in_box(self, name, make, lamp="SUN", **arguments):
+        with self.subTest(name):
+            self.setUp()
+            self.room(lamp)
+            scene_factory.box(self.scene, 2.0, make(), rotation=(0, 0, 25))
+            self.agrees(name, **arguments)
+
+
+class NodeTest(VolumeCase):
+
+    def test_absorption(self):
+        self.in_box("absorption", volume("ShaderNodeVolumeAbsorption", Color=(0.9, 0.5, 0.2),
+                                         Density=1.5))
+
+    def test_scatter(self):
+        for g in (0.0, 0.7, -0.5):
+            make = volume("ShaderNodeVolumeScatter", Color=(0.9, 0.5, 0.2), Density=1.0,
+                          Anisotropy=g)
+            self.in_box(f"scatter {g}", make)
+        self.in_box("scatter often", make, volume_bounces=8)
+
+    def test_principled(self):
+        make = volume("ShaderNodeVolumePrincipled", Color=(0.8, 0.5, 0.3), Density=2.0,
+                      Anisotropy=0.3, Absorption_Color=(0.1, 0.4, 0.6))
+        self.in_box("principled", make, volume_bounces=4)
+        make = volume("ShaderNodeVolumePrincipled", Color=(0.2, 0.2, 0.2), Density=0.5,
+                      Emission_Strength=0.4, Emission_Color=(1.0, 0.5, 0.2),
+                      Blackbody_Intensity=0.8, Temperature=1800.0, Blackbody_Tint=(0.9, 1.0, 0.8))
+        # Cycles takes the colour of a black body from a fit that is off by up to 1.5 %.
+        self.in_box("principled glow", make, relative=0.015)
+
+    def test_emission(self):
+        self.in_box("emission", volume("ShaderNodeEmission", Color=(0.3, 0.6, 0.9), Strength=0.5))
+
+    def test_mix_and_add(self):
+        """With one node that scatters: of several in one material, Cycles 3.4 adds up the phase
+        functions without their weights in direct light."""
+        def build(nodes):
+            absorption = nodes.add("ShaderNodeVolumeAbsorption", None, {"Density": 2.0})
+            scatter = nodes.add("ShaderNodeVolumeScatter", None, {"Density": 3.0})
+            glow = nodes.add("ShaderNodeVolumePrincipled", None,
+                             {"Color": (0, 0, 0), "Density": 1.0, "Emission Strength": 0.5})
+            mixed = nodes.add("ShaderNodeMixShader", None, {0: 0.3, 1: absorption, 2: scatter})
+            half = nodes.add("ShaderNodeMixShader", None, {0: 0.5, 1: mixed, 2: glow})
+            return nodes.add("ShaderNodeAddShader", None, {0: half, 1: scatter})
+        self.in_box("mix", lambda: scene_factory.volume_material("m", build))
+
+
+class LampTest(VolumeCase):
+
+    def test_lamps_in_fog(self):
+        make = volume("ShaderNodeVolumeScatter", Color=(0.8, 0.8, 0.8), Density=0.15,
+                      Anisotropy=0.3)
+        for lamp in ("POINT", "SPOT", "AREA"):
+            with self.subTest(lamp):
+                self.setUp()
+                self.room(lamp)
+                scene_factory.box(self.scene, 30.0, make())
+                self.agrees(f"{lamp} in fog", samples=512, volume_bounces=lamp != "SPOT",
+                            max_noise=0.02)
+
+    def test_mesh_light_and_world(self):
+        make = volume("ShaderNodeVolumeScatter", Density=0.7)
+        with self.subTest("mesh light"):
+            self.setUp()
+            self.room(energy=0.0)
+            scene_factory.sphere(self.scene, 0.3, scene_factory.emission((1, 0.7, 0.4), 20.0),
+                                 location=(0, 0, 1.6))
+            scene_factory.box(self.scene, 2.0, make())
+            self.agrees("mesh light")
+        with self.subTest("world"):
+            self.setUp()
+            self.room(energy=0.0)
+            scene_factory.set_world(self.scene, (0.4, 0.6, 0.9))
+            scene_factory.box(self.scene, 2.0, make())
+            self.agrees("world", volume_bounces=3)
+
+
+class PlaceTest(VolumeCase):
+
+    def fog(self, density=0.3):
+        return volume("ShaderNodeVolumeScatter", Color=(0.9, 0.7, 0.5), Density=density)()
+
+    def test_inside_glass(self):
+        def glass(nodes):
+            return nodes.add("ShaderNodeBsdfGlass", {"distribution": "SHARP"}, {"IOR": 1.33})
+
+        def build(nodes):
+            return nodes.add("ShaderNodeVolumePrincipled", None,
+                             {"Color": (0.3, 0.2, 0.1, 1), "Density": 2.0})
+        self.room(angle=1.0)
+        scene_factory.set_world(self.scene, (0.4, 0.5, 0.6))
+        scene_factory.sphere(self.scene, 1.0, scene_factory.volume_material("m", build, glass),
+                             48, 24)
+        self.agrees("in glass", samples=512, volume_bounces=4, relative=0.008)
+
+    def test_camera_inside(self):
+        self.room("AREA")
+        scene_factory.box(self.scene, 25.0, self.fog(0.05))
+        scene_factory.sphere(self.scene, 1.0, self.fog(1.0))
+        self.agrees("camera inside", samples=512, volume_bounces=2)
+
+    def test_overlapping(self):
+        self.room()
+        scene_factory.sphere(self.scene, 1.0, self.fog(0.6), location=(-0.4, 0, 0))
+        scene_factory.box(self.scene, 1.5, volume("ShaderNodeVolumeAbsorption", Density=1.5)(),
+                          location=(0.4, 0, 0))
+        scene_factory.sphere(self.scene, 0.5, self.fog(2.0), location=(0, 0, 0.3))
+        self.agrees("overlapping", volume_bounces=2)
+
+    def test_many(self):
+        self.room()
+        material = self.fog(2.0)
+        mesh = scene_factory.sphere(self.scene, 0.18, material, 12, 6, location=(0, 0, 3)).data
+        for i in range(60):
+            angle = 2.4 * i
+            radius = 0.2 * math.sqrt(i)
+            scene_factory.link(self.scene, mesh, f"s{i}", location=(
+                radius * math.cos(angle), radius * math.sin(angle), 0.8 * math.sin(0.7 * i)))
+        self.agrees("many", samples=384, volume_bounces=2)
+
+    def test_world_volume(self):
+        self.room("POINT")
+        tree = self.scene.world.node_tree
+        nodes = scene_factory.Nodes(tree)
+        output = next(n for n in tree.nodes if n.bl_idname == "ShaderNodeOutputWorld")
+        scatter = nodes.add("ShaderNodeVolumeScatter", None, {"Density": 0.08, "Anisotropy": 0.4})
+        tree.links.new(scatter.outputs[0], output.inputs["Volume"])
+        self.agrees("world volume", samples=512, volume_bounces=1)
+
+    def test_scale_does_not_thin(self):
+        self.room()
+        scene_factory.box(self.scene, 1.0, self.fog(1.0), scale=(2.0, 1.0, 1.5))
+        self.agrees("scaled")
+
+    def test_behind_alpha_in_shadow(self):
+        """A transparent pane and the volume behind it dim the same light."""
+        self.room(energy=6.0, rotation=(0, 0, 0))
+        scene_factory.plane(self.scene, 3.0, scene_factory.simple_material(
+            "ShaderNodeBsdfTransparent", Color=(0.8, 0.6, 0.4)), location=(0, 0, 1.8))
+        scene_factory.box(self.scene, 2.0, self.fog(0.8))
+        self.agrees("pane")
+
+    def test_transparent_film(self):
+        scene_factory.camera(self.scene, (0, -6, 1.5), (0, 0, 0), lens=50.0)
+        scene_factory.lamp(self.scene, "SUN", energy=3.0, rotation=(35, 20, 0))
+        scene_factory.box(self.scene, 2.0, self.fog(0.8))
+        self.scene.render.film_transparent = True
+        self.agrees("film")
+
+
+class AbsorptionOracleTest(RenderTestCase):
+
+    def test_slab(self):
+        """Straight through two metres: exp(-sigma d) in every pixel."""
+        scene_factory.box(self.scene, 2.0, volume("ShaderNodeVolumeAbsorption", Density=0.7,
+                                                  Color=(0.2, 0.5, 0.9))())
+        scene_factory.set_world(self.scene, (1, 1, 1))
+        scene_factory.top_camera(self.scene, 0.5)
+        self.assert_agrees("slab", samples=4, resolution=(8, 8), relative=1e-5, seeds=2)
