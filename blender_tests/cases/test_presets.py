@@ -249,6 +249,34 @@ class MediumTest(unittest.TestCase):
                          ((2.19, 2.62, 3.0), (0.0021, 0.0041, 0.0071)))
 
 
+class MediumRenderTest(RenderTestCase):
+    """Slabs of measured liquids before a white world."""
+
+    def slab(self, name, thickness):
+        material = bpy.data.materials.new(name)
+        material.use_nodes = True
+        tree = material.node_tree
+        tree.nodes.clear()
+        output = tree.nodes.new('ShaderNodeOutputMaterial')
+        tree.links.new(menu.add_medium(tree, name).outputs[0], output.inputs['Volume'])
+        scene_factory.box(self.scene, 1.0, material, scale=(10, 10, thickness))
+        scene_factory.set_world(self.scene, (1, 1, 1))
+        scene_factory.top_camera(self.scene, 0.01)
+
+    def test_absorption_is_that_of_the_table(self):
+        """Merlot scatters red only: green and blue obey Beer and Lambert."""
+        self.slab("Merlot", 0.005)
+        found = render(TESTED_ENGINE, 256, 0, (16, 16), max_bounces=64).mean()
+        for channel in (1, 2):
+            expected = math.exp(-5.0 * tables.LIQUIDS["Merlot"][1][channel])
+            self.assertAlmostEqual(found[channel], expected, delta=5e-4)
+
+    def test_scattering_is_that_of_cycles(self):
+        self.slab("Chardonnay", 0.05)
+        self.assert_agrees("Chardonnay, 5 cm", None, relative=0.003, seeds=3, samples=256,
+                           resolution=(16, 16), max_bounces=64)
+
+
 class MenuTest(unittest.TestCase):
 
     def test_every_entry_can_be_added(self):

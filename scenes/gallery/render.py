@@ -17,10 +17,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
 import gallery  # noqa: E402  (beside this file's folder, which Blender does not put on the path)
 import parts  # noqa: E402
-from gallery import metals, mirrors, textures  # noqa: E402,F401  (they fill gallery.EXHIBITS)
+from gallery import media, metals, mirrors, textures  # noqa: E402,F401  (they fill EXHIBITS)
 
 # Blender's own defaults: pictures to look at, not to measure.
-_PICTURE_SETTINGS = {"sample_clamp_indirect": 10.0, "blur_glossy": 1.0}
+_PICTURE_SETTINGS = {"sample_clamp_indirect": 10.0, "blur_glossy": 1.0, "volume_bounces": 64,
+                     "max_bounces": 64, "transmission_bounces": 16}
 
 _PAGE = """<!DOCTYPE html><html lang="en"><meta charset="utf-8"><title>Tenniel: gallery</title>
 <style>body{{font-family:sans-serif;margin:2em;background:#1c1c1e;color:#ddd}}

@@ -50,7 +50,7 @@ def sweep(name, material, width=24.0, radius=2.5, start=-8.0, end=4.5, height=8.
     return shapes.add_object(name, mesh, material)
 
 
-# The pawn: a ball that a groove opens to a smaller one inside, on a stem with a collar.
+# The pawn: a ball with a groove on a stem with a collar.
 _STEM = [(0.0, 0.0), (0.40, 0.0), (0.40, 0.0), (0.42, 0.03), (0.41, 0.08), (0.36, 0.11),
          (0.34, 0.11), (0.34, 0.14), (0.30, 0.18), (0.20, 0.30), (0.15, 0.44), (0.14, 0.52),
          (0.14, 0.52),
@@ -61,18 +61,20 @@ _GROOVE = math.radians(9.0)
 
 def pawn(material, x=0.0, y=0.0, core=None, size=1.0):
     """A chess pawn as the body on which materials are shown: broad curves, a sharp edge, a rim
-    that is seen at grazing angles, and a groove whose inside the ball lights."""
-    core = core or parts.principled("Core", (0.03, 0.03, 0.035), 0.35)
+    that is seen at grazing angles, and a groove round the ball. A clear one may hold a smaller
+    ball of another material, its `core`."""
     stem = shapes.lathe("Pawn", shapes.smooth_profile(_STEM), material)
     ball = shapes.lathe("Pawn Ball", _open_ball(), material, location=(0.0, 0.0, _BALL_HEIGHT))
-    inner = shapes.sphere("Pawn Core", 0.86 * _BALL_RADIUS, core,
-                          location=(0.0, 0.0, _BALL_HEIGHT))
-    for item in (stem, ball, inner):
+    # The groove lies aslant, so that the camera looks into it.
+    ball.rotation_euler.x = math.radians(24.0)
+    items = [stem, ball]
+    if core is not None:
+        items.append(shapes.sphere("Pawn Core", 0.7 * _BALL_RADIUS, core,
+                                   location=(0.0, 0.0, _BALL_HEIGHT)))
+    for item in items:
         item.location = (x, y, size * item.location.z)
         item.scale = (size,) * 3
         item.rotation_euler.z = 0.4
-    # The groove lies aslant, so that the camera looks into it.
-    ball.rotation_euler.x = inner.rotation_euler.x = math.radians(24.0)
     return stem
 
 
