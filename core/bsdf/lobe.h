@@ -3,14 +3,17 @@
 
 #include <variant>
 
+#include "bsdf/ashikhmin_shirley.h"
 #include "bsdf/clearcoat.h"
 #include "bsdf/diffuse.h"
+#include "bsdf/hair.h"
 #include "bsdf/microfacet_reflection.h"
 #include "bsdf/microfacet_refraction.h"
 #include "bsdf/oren_nayar.h"
 #include "bsdf/principled_diffuse.h"
 #include "bsdf/sheen.h"
 #include "bsdf/specular.h"
+#include "bsdf/toon.h"
 #include "bsdf/translucent.h"
 #include "bsdf/transparent.h"
 #include "bsdf/velvet.h"
@@ -27,9 +30,10 @@ namespace tenniel {
 //   bool make_valid()             clamps the parameters to their range; false if not finite
 //   void widen(alpha)             roughness at least `alpha`; sharp and diffuse lobes stay
 // with directions in the lobe's frame (z = its normal, wo.z > 0).
-using Lobe = std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent,
-                          Transparent, MicrofacetReflection, MicrofacetRefraction, Clearcoat,
-                          SpecularReflection, SpecularRefraction, Velvet>;
+using Lobe =
+    std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent, Transparent,
+                 MicrofacetReflection, MicrofacetRefraction, Clearcoat, SpecularReflection,
+                 SpecularRefraction, Velvet, DiffuseToon, GlossyToon, HairLobe, AshikhminShirley>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 

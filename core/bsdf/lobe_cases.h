@@ -79,6 +79,30 @@ inline std::vector<LobeCase> microfacet_cases() {
   return cases;
 }
 
+// Shapes without a microsurface behind them.
+inline std::vector<LobeCase> artistic_cases() {
+  std::vector<LobeCase> cases;
+  for (const auto& [size, smooth] :
+       {std::pair{0.5f, 0.0f}, {0.2f, 0.3f}, {0.8f, 0.6f}, {0.9f, 0.0f}, {0.0f, 0.5f}}) {
+    const auto percent = [](float x) { return std::to_string(static_cast<int>(x * 100)); };
+    const std::string name = percent(size) + "_" + percent(smooth);
+    const float edge = smooth > 0.0f ? 1.0f : 0.01f;  // a hard one has no width
+    cases.push_back({"DiffuseToon_" + name, DiffuseToon{{size, smooth}}, edge});
+    cases.push_back({"GlossyToon_" + name, GlossyToon{{size, smooth}}, edge});
+  }
+  for (const bool passes : {false, true}) {
+    const std::string kind = passes ? "HairTransmission_" : "HairReflection_";
+    cases.push_back({kind + "default", HairLobe{0.1f, 1.0f, 0.0f, 0.0f, passes}, 0.1f});
+    cases.push_back({kind + "offset", HairLobe{0.3f, 0.4f, 0.2f, 0.0f, passes}, 0.3f});
+    cases.push_back({kind + "tilted", HairLobe{1.0f, 0.2f, -0.3f, 0.4f, passes}, 0.2f});
+  }
+  for (const auto& [x, y] : {std::pair{0.1f, 0.1f}, {0.5f, 0.5f}, {1.0f, 1.0f}, {0.1f, 0.6f}})
+    cases.push_back({"AshikhminShirley_" + std::to_string(static_cast<int>(x * 100)) + "_" +
+                         std::to_string(static_cast<int>(y * 100)),
+                     AshikhminShirley{x, y}, std::min(x, y)});
+  return cases;
+}
+
 inline std::vector<LobeCase> delta_cases() {
   return {{"Transparent", Transparent{}},
           {"Mirror", SpecularReflection{}},
@@ -89,12 +113,15 @@ inline std::vector<LobeCase> delta_cases() {
           {"SmoothBeckmannRefraction",
            MicrofacetRefraction{{MicrofacetDistribution::beckmann, 1e-4f, 1e-4f}, 1.45f}},
           {"SmoothClearcoat", Clearcoat{0.0f}},
+          {"SmoothAshikhminShirley", AshikhminShirley{1e-4f, 1e-4f}},
           {"IndexMatched", MicrofacetRefraction{{MicrofacetDistribution::ggx, 0.5f, 0.5f}, 1.0f}}};
 }
 
 // The lobes with a density.
 inline std::vector<LobeCase> smooth_cases() {
   std::vector<LobeCase> cases = diffuse_cases();
+  for (LobeCase& c : artistic_cases())
+    cases.push_back(c);
   for (LobeCase& c : microfacet_cases())
     if (!visit_lobe([](const auto& l) { return l.is_delta(); }, c.lobe)) cases.push_back(c);
   return cases;
@@ -102,7 +129,7 @@ inline std::vector<LobeCase> smooth_cases() {
 
 inline std::vector<LobeCase> all_cases() {
   std::vector<LobeCase> cases = diffuse_cases();
-  for (const auto& more : {microfacet_cases(), delta_cases()})
+  for (const auto& more : {artistic_cases(), microfacet_cases(), delta_cases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }

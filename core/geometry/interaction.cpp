@@ -114,17 +114,28 @@ std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceIntera
   return result;
 }
 
-Vec2 parametric_coordinates(const SurfaceInteraction& at) {
-  const auto& w = at.weights;
-  if (at.mesh->corners_per_face == 3) return {w[0], w[1]};
+namespace {
+
+// Which corner of the triangle that was hit comes first in Blender's. `build_mesh` turns a quad,
+// and Embree has its second half start elsewhere; Blender begins both halves at their first corner.
+size_t first_corner(const SurfaceInteraction& at) {
+  if (at.mesh->corners_per_face == 3) return 0;
   const uint32_t* v = &at.mesh->face_vertices[at.face * size_t{4}];
-  if (v[2] == v[3]) return {w[0], w[1]};
-  // `build_mesh` turns a quad, and Embree has its second half start elsewhere; Blender begins both
-  // halves at their first corner.
+  if (v[2] == v[3]) return 0;
   const auto& corners = at.triangle.corners;
-  const auto first =
-      static_cast<size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
-  return {w[first], w[(first + 1) % 3]};
+  return static_cast<size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+}
+
+}  // namespace
+
+Vec2 parametric_coordinates(const SurfaceInteraction& at) {
+  const size_t first = first_corner(at);
+  return {at.weights[first], at.weights[(first + 1) % 3]};
+}
+
+Vec3 parametric_v_direction(const SurfaceInteraction& at) {
+  const size_t first = first_corner(at);
+  return at.corner_points[(first + 2) % 3] - at.corner_points[first];
 }
 
 SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset) {

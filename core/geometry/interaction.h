@@ -48,6 +48,9 @@ std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceIntera
 // Blender's parametric coordinates: the weights of the first two corners of its own triangle.
 Vec2 parametric_coordinates(const SurfaceInteraction& at);
 
+// From the first corner of Blender's own triangle to its last, world space.
+Vec3 parametric_v_direction(const SurfaceInteraction& at);
+
 // The same surface extended in its tangent plane: position and barycentric weights moved by
 // `offset` (world space, perpendicular to the geometric normal). For bump's finite differences.
 SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset);

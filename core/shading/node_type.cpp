@@ -48,6 +48,7 @@ const NodeRegistry& node_registry() {
     register_pattern_nodes(all);
     register_sky_nodes(all);
     register_closure_nodes(all);
+    register_artistic_closures(all);
     register_principled_nodes(all);
     register_volume_nodes(all);
     register_bump_nodes(all);

@@ -33,11 +33,18 @@ Microsurface microsurface(GlossyDistribution distribution, float alpha_x, float 
           alpha_x, alpha_y};
 }
 
+Lobe rough_reflection(GlossyDistribution distribution, float alpha_x, float alpha_y,
+                      const Fresnel& fresnel = Fresnel::none()) {
+  if (distribution == GlossyDistribution::ashikhmin_shirley)
+    return AshikhminShirley{alpha_x, alpha_y};
+  return MicrofacetReflection{microsurface(distribution, alpha_x, alpha_y), fresnel};
+}
+
 Lobe reflection_lobe(GlossyDistribution distribution, float roughness,
                      const Fresnel& fresnel = Fresnel::none()) {
   if (distribution == GlossyDistribution::sharp) return SpecularReflection{fresnel};
   const float alpha = sqr(saturate(roughness));
-  return MicrofacetReflection{microsurface(distribution, alpha, alpha), fresnel};
+  return rough_reflection(distribution, alpha, alpha, fresnel);
 }
 
 Spectrum non_negative(Vec3 v) {
@@ -83,7 +90,7 @@ void AnisotropicNode::eval(ShadingContext& context) const {
   const float alpha_y = a < 0.0f ? alpha * (1.0f + a) : alpha / (1.0f - a);
   const Vec3 along = tangent.linked() ? context.get(tangent) : surface_tangent(context.surface, n);
   const Vec3 turned = rotate_about(along, n, k_two_pi * context.get(rotation));
-  const MicrofacetReflection lobe{microsurface(distribution, alpha_x, alpha_y), Fresnel::none()};
+  const Lobe lobe = rough_reflection(distribution, alpha_x, alpha_y);
   context.bsdf.add(lobe, context.get(color) * context.get(weight), n, turned);
 }
 
@@ -151,8 +158,9 @@ void HoldoutNode::eval(ShadingContext& context) const {
 
 namespace {
 
-// Ashikhmin-Shirley and multiple scattering are drawn as single-scattering GGX.
+// Multiple scattering is drawn as single-scattering GGX.
 constexpr auto k_ggx = GlossyDistribution::ggx;
+constexpr auto k_ashikhmin = GlossyDistribution::ashikhmin_shirley;
 constexpr auto k_beckmann = GlossyDistribution::beckmann;
 constexpr auto k_sharp = GlossyDistribution::sharp;
 
@@ -173,7 +181,7 @@ void register_reflecting(NodeRegistry& registry) {
               {{"SHARP", k_sharp},
                {"BECKMANN", k_beckmann},
                {"GGX", k_ggx},
-               {"ASHIKHMIN_SHIRLEY", k_ggx},
+               {"ASHIKHMIN_SHIRLEY", k_ashikhmin},
                {"MULTI_GGX", k_ggx}})
       .closure_output("BSDF")
       .closure();
@@ -200,7 +208,7 @@ void register_reflecting(NodeRegistry& registry) {
               {{"BECKMANN", k_beckmann},
                {"GGX", k_ggx},
                {"MULTI_GGX", k_ggx},
-               {"ASHIKHMIN_SHIRLEY", k_ggx}})
+               {"ASHIKHMIN_SHIRLEY", k_ashikhmin}})
       .closure_output("BSDF")
       .closure();
   registry.add<VelvetNode>("ShaderNodeBsdfVelvet")

@@ -6,7 +6,7 @@
 // The plain shaders, with the meaning they have in Blender 3.4. Roughness is squared to alpha.
 namespace tenniel {
 
-enum class GlossyDistribution : uint8_t { sharp, beckmann, ggx };
+enum class GlossyDistribution : uint8_t { sharp, beckmann, ggx, ashikhmin_shirley };
 
 struct DiffuseNode {
   Input<float> weight;
