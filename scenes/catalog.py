@@ -4,6 +4,7 @@
 SCENES = {
     "looking_glass": "a still life before a mirror that shows another world (the main scene)",
     "looking_glass_evening": "the same table by candlelight",
+    "looking_glass_awake": "the same table, and a mirror like any other: what is really there",
     "bench_room": "closed diffuse room, nine monkeys, 567 k triangles, one area lamp; for timing",
     "material_grid": "one sphere for each closure and texture, lit by an HDRI",
     "veach_mis": "four glossy plates under four lights: light and BSDF sampling must share",

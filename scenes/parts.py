@@ -79,6 +79,23 @@ def principled(name, color, roughness, **inputs):
                   {"Base Color": color, "Roughness": roughness, **named})
 
 
+def measured_metal(nodes, name, roughness, stand_in):
+    """A node for a metal of the add-on's tables; without the add-on a metallic Principled of the
+    colour `stand_in`. `roughness` may be a node."""
+    try:
+        from tenniel.presets import groups, tables
+    except ImportError:
+        return nodes.add("BsdfPrincipled", {"Base Color": stand_in, "Metallic": 1.0,
+                                            "Roughness": roughness})
+    index, extinction = tables.METALS[name]
+    group = nodes.tree.nodes.new("ShaderNodeGroup")
+    group.node_tree = groups.metal_group()
+    for socket, value in (("Refractive Index", index), ("Extinction", extinction),
+                          ("Roughness", roughness)):
+        nodes.connect(group.inputs[socket], value)
+    return group
+
+
 def diffuse(name, color):
     return shader(name, "BsdfDiffuse", {"Color": color})
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A small vector painter: filled polygons and strokes with soft edges, for pictures drawn as shapes.
+"""A small vector painter: filled polygons and strokes with soft edges.
 
 Coordinates are those of the drawing (for a card: millimetres about its centre, y upwards); the
 canvas knows how many pixels a unit is.

@@ -44,8 +44,9 @@ LETTERS = {                             # outlines and advance
     "I": (upright(0.0), 0.36),
     "N": (upright(0.0, HAIR * 1.3) + upright(0.66, HAIR * 1.3)
           + [slanted(0.60, 0.0, 0.11, 1.0, STEM)], 0.86),
-    "K": (upright(0.0) + [slanted(0.24, 0.42, 0.66, 1.0, 0.06), slanted(0.68, 0.0, 0.38, 0.58, 0.24),
-                          bar(0.50, 0.0, 0.86, HAIR), bar(0.50, 1.0 - HAIR, 0.80, 1.0)], 0.88),
+    "K": (upright(0.0) + [slanted(0.24, 0.42, 0.66, 1.0, 0.06),
+                          slanted(0.68, 0.0, 0.38, 0.58, 0.24), bar(0.50, 0.0, 0.86, HAIR),
+                          bar(0.50, 1.0 - HAIR, 0.80, 1.0)], 0.88),
     "M": (upright(0.0, HAIR * 1.3) + upright(0.80)
           + [slanted(0.45, 0.0, 0.10, 1.0, STEM), slanted(0.45, 0.0, 0.84, 1.0, 0.06)], 1.16),
     "E": (upright(0.0) + [bar(0.2, 0.0, 0.62, HAIR), bar(0.2, 1.0 - HAIR, 0.60, 1.0),

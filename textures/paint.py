@@ -52,7 +52,7 @@ def wood_roughness(u, v):
     return 0.24 + 0.08 * rings + 0.22 * smoothstep(0.45, 0.8, pores) + 0.3 * gap
 
 
-def paint_wood(width=1024, height=512):
+def paint_wood(width=1792, height=896):
     paint("wood_albedo", width, height, wood_albedo)
     paint("wood_roughness", width, height, wood_roughness)
     paint_normal("wood_normal", width, height, wood_height, 1.6)
@@ -70,7 +70,8 @@ def uv_grid(u, v):
     fu, fv = u * 8.0 - column, v * 8.0 - row
     line = smoothstep(0.03, 0.015, min(fu, fv, 1.0 - fu, 1.0 - fv))
     corner = inside(math.hypot(u - 0.0625, v - 0.0625) - 0.035, 0.002)
-    return mix(mix(tuple(c * level for c in colour), (1.0, 1.0, 1.0), line), (0.05, 0.05, 0.06), corner)
+    cell = mix(tuple(c * level for c in colour), (1.0, 1.0, 1.0), line)
+    return mix(cell, (0.05, 0.05, 0.06), corner)
 
 
 def bricks_height(u, v):

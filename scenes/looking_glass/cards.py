@@ -37,6 +37,9 @@ def fallen_pack(looks):
     faces = sorted(looks.card_faces)
     cards = [make_card(looks, faces[(3 * k + 1) % len(faces)], place, turn)
              for k, (place, turn) in enumerate(CARDS)]
+    # One stands against the foot of the frame.
+    cards.append(make_card(looks, "hearts_1", (0.158, -0.0285, 0.0411), degrees(65, 0, 183)))
+    cards[-1].rotation_euler = degrees(-115, 0, 3)
     parts.keep_on_this_side(*cards)
 
 
@@ -48,7 +51,7 @@ def flying_cards(looks):
         angle = degrees(-12.0 + 128.0 * t)
         place = seen_at(0.055 + 0.165 * math.cos(angle), 0.235 + 0.155 * math.sin(angle),
                         -0.50 - 0.55 * t)
-        turn = degrees(78 + 22 * math.sin(2.3 * k), 25 * math.cos(1.7 * k), 185 - 40 * t + 17 * k)
+        turn = degrees(78 + 22 * math.sin(2.3 * k), 25 * math.cos(1.7 * k), 180 + 32 * math.sin(1.9 * k))
         parts.send_behind_mirror(make_card(looks, faces[(3 * k) % len(faces)], place, turn))
 
 
@@ -80,7 +83,8 @@ def soldier(looks, face, stride):
         knee = hip + Vector((side * 0.002, 0.55 * swing + 0.004, -0.017))
         ankle = Vector((side * 0.016, swing, 0.004))
         pieces.append(limb(looks, "Leg", (hip, knee, ankle), 0.0030))
-        shoe = shapes.sphere("Shoe", 0.005, looks.ebony, 20, location=ankle + Vector((0, 0.004, 0)))
+        shoe = shapes.sphere("Shoe", 0.005, looks.ebony, 20,
+                             location=ankle + Vector((0, 0.004, 0)))
         shoe.scale = (0.8, 1.7, 0.75)
         pieces.append(shoe)
     pieces += pike_arm(looks, top) + free_arm(looks, top, stride)
@@ -122,8 +126,8 @@ def head(looks, top):
         looks.card_edge, 48, location=(0.0, 0.0, top + 0.003))
     cap = shapes.lathe("Cap", shapes.smooth_profile(
         [(0.0, 0.0), (0.012, -0.001), (0.0125, 0.002), (0.0105, 0.003), (0.0135, 0.009),
-         (0.010, 0.012), (0.0, 0.0125)]), looks.carmine, 48, location=centre + Vector((0, 0, 0.006)),
-        rotation=degrees(-6, 8, 0))
+         (0.010, 0.012), (0.0, 0.0125)]), looks.carmine, 48,
+        location=centre + Vector((0, 0, 0.006)), rotation=degrees(-6, 8, 0))
     plume = shapes.wire("Plume", [centre + Vector((0.009, -0.002, 0.012)),
                                   centre + Vector((0.014, -0.010, 0.030)),
                                   centre + Vector((0.010, -0.024, 0.026))],
@@ -131,5 +135,6 @@ def head(looks, top):
     eyes = [shapes.sphere("Eye", 0.0014, looks.ebony, 16,
                           location=centre + Vector((side * 0.0038, 0.0092, 0.0015)))
             for side in (-1, 1)]
-    nose = shapes.sphere("Nose", 0.0020, looks.skin, 16, location=centre + Vector((0, 0.0105, -0.0015)))
+    nose = shapes.sphere("Nose", 0.0020, looks.skin, 16,
+                         location=centre + Vector((0, 0.0105, -0.0015)))
     return [face, ruff, cap, plume, nose] + eyes

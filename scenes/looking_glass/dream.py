@@ -19,8 +19,8 @@ def board():
     checker = nodes.add("TexChecker", {"Vector": nodes.add("TexCoord").outputs["Object"],
                                        "Color1": (0.84, 0.66, 0.38), "Color2": (0.02, 0.15, 0.17),
                                        "Scale": 1.0 / BOARD_SQUARE})
-    nodes.surface(nodes.add("BsdfPrincipled", {"Base Color": checker, "Roughness": 0.14,
-                                               "Specular": 0.5}))
+    nodes.surface(nodes.add("BsdfPrincipled", {"Base Color": checker, "Roughness": 0.34,
+                                               "Specular": 0.25}))
     plane = shapes.plane("Board", (40.0, 24.0), material, location=(0.0, -12.82, -0.001))
     parts.send_behind_mirror(plane)
 
@@ -28,8 +28,10 @@ def board():
 def hills():
     """Round hills, the farther the bluer."""
     for x, y, radius, height, color in (
-            (-5.0, -15.0, 4.8, 0.50, (0.05, 0.16, 0.10)), (2.8, -16.0, 5.2, 0.45, (0.06, 0.18, 0.09)),
-            (-1.4, -20.5, 5.5, 0.78, (0.05, 0.12, 0.16)), (5.5, -22.0, 6.0, 0.95, (0.06, 0.11, 0.18))):
+            (-5.0, -15.0, 4.8, 0.50, (0.05, 0.16, 0.10)),
+            (2.8, -16.0, 5.2, 0.45, (0.06, 0.18, 0.09)),
+            (-1.4, -20.5, 5.5, 0.78, (0.05, 0.12, 0.16)),
+            (5.5, -22.0, 6.0, 0.95, (0.06, 0.11, 0.18))):
         look = parts.diffuse("Hill", color)
         hill = shapes.sphere("Hill", 1.0, look, 96, location=(x, y, -0.05))
         hill.scale = (radius, radius, height)

@@ -138,7 +138,7 @@ def main():
         scene.frame_set(frame)
     (FOLDER / "fallen.py").write_text(
         "# SPDX-License-Identifier: GPL-3.0-or-later\n"
-        '"""Written by drop.py: where things came to rest. Place in metres and XYZ Euler angles."""\n'
+        '"""Written by drop.py: where things came to rest. Place in metres, XYZ Euler angles."""\n'
         "\n" + written("CARDS", fallen[0]) + "\n\n" + written("BISCUITS", fallen[1]) + "\n")
 
 

@@ -6,7 +6,7 @@ import parts
 PAPER = (0.86, 0.82, 0.71)
 INK = (0.012, 0.010, 0.010)
 LAMP = (0.50, 0.52, 0.69)              # where the engraver's light comes from; it is not a lamp
-PITCH = 0.52                            # distance of the lines, in units of the object
+PITCH = 0.47                            # distance of the lines, in units of the object
 
 
 def engraved(name, stuff, slant=(0.20, 0.42, 1.0), pitch=PITCH, paper=PAPER):
@@ -40,7 +40,7 @@ def family(nodes, slant, pitch, tone, start):
     tremor = nodes.add("TexNoise", {"Vector": place, "Scale": 0.55, "Detail": 2.0})
     along = nodes.add("VectorMath", {0: place, 1: slant}, operation='DOT_PRODUCT').outputs["Value"]
     phase = math(nodes, 'MULTIPLY_ADD', along, 1.0 / pitch,
-                 math(nodes, 'MULTIPLY', tremor, 2.2))
+                 math(nodes, 'MULTIPLY', tremor, 1.3))
     off_centre = math(nodes, 'ABSOLUTE', math(nodes, 'SUBTRACT', math(nodes, 'FRACT', phase), 0.5))
     half_width = nodes.add("MapRange", {"Value": tone, "From Min": start, "From Max": start + 0.75,
                                         "To Min": -0.06, "To Max": 0.40})

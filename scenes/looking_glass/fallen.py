@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Written by drop.py: where things came to rest. Place in metres and XYZ Euler angles."""
+"""Written by drop.py: where things came to rest. Place in metres, XYZ Euler angles."""
 
 CARDS = [
     ((0.07639, -0.27420, 0.00031), (3.14159, 0.00000, 1.31040)),

@@ -59,7 +59,7 @@ def build_butterflies(looks):
               for k, color in enumerate(colors)]
     for kind, location, turn in ((0, (-0.30, -0.80, 0.36), 30), (1, (-0.145, -0.62, 0.315), -40),
                                  (2, (-0.42, -1.05, 0.30), 75), (0, (0.00, -1.15, 0.47), -20),
-                                 (1, (-0.52, -1.35, 0.55), 10), (2, (0.13, -0.72, 0.385), 50),
+                                 (2, (0.13, -0.72, 0.385), 50),
                                  (1, (-0.10, -0.62, 0.17), 120)):
         item = shapes.add_object(meshes[kind].name, meshes[kind], None, location,
                                  degrees(62, 12 * kind - 12, turn))

@@ -19,23 +19,25 @@ class Looks:
         self._dream()
 
     def _furniture(self):
-        self.table = wood("Table wood", scale=1.5, tint=(0.56, 0.47, 0.42), smudges=0.16)
+        self.table = wood("Table wood", scale=1.5, tint=(0.56, 0.47, 0.42), smudges=0.12)
         self.walnut = wood("Walnut", scale=5.0, tint=(0.60, 0.48, 0.42))
         self.wallpaper = wallpaper()
         self.mirror = parts.shader("Mirror", "BsdfGlossy", {"Color": (0.97, 0.975, 0.97),
                                                            "Roughness": 0.0}, distribution='SHARP')
         self.brass = metal("Brass", (0.88, 0.62, 0.28), 0.16, 0.34)
         self.old_gold = metal("Old gold", (0.78, 0.54, 0.24), 0.28, 0.46)
+        self.gold = gold()
         self.wax = parts.principled("Wax", (0.84, 0.78, 0.64), 0.45, specular=0.4)
         self.wick = parts.diffuse("Wick", (0.02, 0.02, 0.02))
 
     def _paper(self):
-        self.card_edge = parts.diffuse("Card edge", (0.85, 0.82, 0.75))
+        self.card_edge = parts.diffuse("Card edge", (0.72, 0.69, 0.62))
         self.card_back = printed("card_back")
         self.card_faces = {face: printed(f"card_{face}") for face in CARD_FACES}
         self.label = printed("drink_me", roughness=0.7, specular=0.2)
-        self.engraving = printed("rabbit_engraving", roughness=0.8, specular=0.1)
-        self.mount = parts.diffuse("Mount", (0.62, 0.57, 0.46))
+        self.engraving = printed("rabbit_engraving", roughness=0.8, specular=0.1,
+                                 tint=(0.72, 0.70, 0.66))
+        self.mount = parts.diffuse("Mount", (0.46, 0.41, 0.31))
 
     def _glass_and_stone(self):
         self.bottle_glass = parts.shader("Bottle glass", "BsdfGlass",
@@ -63,6 +65,7 @@ class Looks:
         self.linen_dial = parts.diffuse("Dial", (0.85, 0.82, 0.74))
         self.ear = engraved("Engraved ear", 0.40)
         self.eye = parts.principled("Eye", (0.02, 0.012, 0.012), 0.05)
+        self.gleam = parts.emission("Gleam", (1.0, 0.95, 0.85), 1.6)
         self.stalk = parts.principled("Stalk", (0.80, 0.72, 0.58), 0.6)
         self.cap = parts.principled("Cap", (0.70, 0.025, 0.02), 0.24, clearcoat=0.5)
         self.spot = parts.principled("Spot", (0.88, 0.83, 0.74), 0.6)
@@ -83,7 +86,7 @@ def wood(name, scale, tint=(1.0, 1.0, 1.0), smudges=0.0):
         nodes.connect(picture.inputs["Vector"], mapping)
     color = nodes.add("MixRGB", {"Fac": 1.0, "Color1": albedo, "Color2": tint},
                       blend_type='MULTIPLY')
-    relief = nodes.add("NormalMap", {"Strength": 0.8, "Color": normals})
+    relief = nodes.add("NormalMap", {"Strength": 0.55, "Color": normals})
     gloss = roughness
     if smudges:
         gloss = nodes.add("Math", {0: roughness, 1: varied(nodes, 7.0, -smudges, smudges)},
@@ -103,10 +106,18 @@ def varied(nodes, scale, low, high):
 
 
 def metal(name, color, low, high):
-    """A rough conductor, polished where it is touched."""
+    """Brass and the like, polished where it is touched."""
     material, nodes = parts.new_material(name)
     nodes.surface(nodes.add("BsdfPrincipled", {"Base Color": color, "Metallic": 1.0,
                                                "Roughness": varied(nodes, 60.0, low, high)}))
+    return material
+
+
+def gold():
+    """A rough conductor by its measured index."""
+    material, nodes = parts.new_material("Gold")
+    nodes.surface(parts.measured_metal(nodes, "Gold", varied(nodes, 60.0, 0.16, 0.36),
+                                       stand_in=(0.94, 0.69, 0.30)))
     return material
 
 
@@ -121,10 +132,11 @@ def wallpaper():
     return material
 
 
-def printed(picture_name, roughness=0.38, specular=0.35):
+def printed(picture_name, roughness=0.38, specular=0.35, tint=(0.84, 0.83, 0.80)):
     material, nodes = parts.new_material(picture_name.replace("_", " ").capitalize())
-    nodes.surface(nodes.add("BsdfPrincipled", {"Base Color": nodes.picture(picture_name),
-                                               "Roughness": roughness, "Specular": specular}))
+    color = nodes.add("MixRGB", {"Fac": 1.0, "Color1": nodes.picture(picture_name),
+                                 "Color2": tint}, blend_type='MULTIPLY')
+    nodes.surface(nodes.add("BsdfPrincipled", {"Base Color": color, "Roughness": roughness, "Specular": specular}))
     return material
 
 

@@ -10,7 +10,7 @@ from parts import degrees
 from .layout import FRAME_WIDTH, MIRROR_LEAN, OPENING
 
 
-def build(looks):
+def build(looks, dreaming):
     """The glass and its carved frame hang on one empty, which leans back a little."""
     stand = bpy.data.objects.new("Mirror", None)
     bpy.context.scene.collection.objects.link(stand)
@@ -19,7 +19,8 @@ def build(looks):
 
     glass = shapes.plane("Looking glass", OPENING, looks.mirror, location=(0.0, -0.004, 0.0),
                          rotation=degrees(90, 0, 0))
-    parts.make_looking_glass(glass)
+    if dreaming:
+        parts.make_looking_glass(glass)
     profile = shapes.smooth_profile(
         [(-0.003, -0.012), (-0.003, 0.004), (-0.003, 0.004), (0.002, 0.010), (0.007, 0.006),
          (0.007, 0.006), (0.013, 0.009), (0.022, 0.021), (0.033, 0.025), (0.042, 0.020),
@@ -46,7 +47,7 @@ def frame_rosettes(looks):
     """Carved flowers along the frame and brass rosettes on its corners."""
     half_width = OPENING[0] / 2.0 + 0.5 * FRAME_WIDTH + 0.002
     half_height = OPENING[1] / 2.0 + 0.5 * FRAME_WIDTH + 0.002
-    corner = shapes.rosette("Corner", 0.034, 8, 0.015, looks.brass,
+    corner = shapes.rosette("Corner", 0.034, 8, 0.015, looks.gold,
                             location=(-half_width, -0.020, -half_height))
     made = [corner]
     made += [shapes.copy_of(corner, (sx * half_width, -0.020, sz * half_height))
@@ -61,7 +62,7 @@ def frame_rosettes(looks):
             made.append(flower)
         else:
             made.append(shapes.copy_of(flower, (x, -0.024, z)))
-    made.append(shapes.rosette("Crest", 0.044, 12, 0.022, looks.brass,
+    made.append(shapes.rosette("Crest", 0.044, 12, 0.022, looks.gold,
                                location=(0.0, -0.018, half_height + 0.016)))
     return made
 

@@ -26,7 +26,8 @@ def build(looks):
         [(-0.002, -0.006), (-0.002, 0.002), (-0.002, 0.002), (0.0015, 0.005), (0.004, 0.003),
          (0.004, 0.003), (0.008, 0.008), (0.012, 0.007), (0.014, 0.003), (0.014, 0.003),
          (0.014, -0.006)], steps=4)
-    sheet = shapes.plane("Engraving", SHEET, looks.engraving, location=(0.0, -0.0006, 0.0), **upright)
+    sheet = shapes.plane("Engraving", SHEET, looks.engraving, location=(0.0, -0.0006, 0.0),
+                         **upright)
     if hasattr(sheet, "tenniel"):
         sheet.tenniel.behind_material = looks.mount
     pieces = [shapes.plane("Mount", opening, looks.mount, **upright), sheet,

@@ -63,6 +63,7 @@ def clothes(looks):
     coat = [((0, -0.5, 11.6), (4.4, 4.0, 5.0), None), ((0, -1.9, 7.6), (4.3, 3.1, 4.6), None)]
     for side in (-1, 1):
         coat += [((side * 3.5, 0.3, 14.2), (1.7, 1.8, 1.9), None),
+                 ((side * 3.0, 1.1, 10.0), (1.75, 2.9, 4.6), turned(0, side * -5, 0)),
                  ((side * 2.6, -1.9, 4.6), (1.9, 1.7, 2.9), turned(-10, side * 8, 0))]
     coat += [((-4.6, 1.4, 12.4), (1.45, 1.6, 2.7), turned(-38, 0, 0)),
              ((-4.4, 3.5, 11.4), (1.4, 2.2, 1.4), turned(-4, 0, -14)),
@@ -75,11 +76,11 @@ def clothes(looks):
         lapel = shapes.sphere("Lapel", 1.0, looks.coat, 48, location=(side * 2.0, 3.35, 12.6))
         lapel.scale = (0.85, 0.55, 3.0)
         lapel.rotation_euler = degrees(-14, side * 20, side * -24)
-        loop = shapes.sphere("Bow", 1.0, looks.bow, 48, location=(side * 1.45, 4.25, 15.6))
+        loop = shapes.sphere("Bow", 1.0, looks.bow, 48, location=(side * 1.5, 5.0, 15.0))
         loop.scale = (1.35, 0.55, 0.85)
         loop.rotation_euler = degrees(-10, side * 12, side * -14)
         made += [lapel, loop]
-    made.append(shapes.sphere("Knot", 0.58, looks.bow, 32, location=(0, 4.6, 15.5)))
+    made.append(shapes.sphere("Knot", 0.58, looks.bow, 32, location=(0, 5.4, 14.9)))
     collar = shapes.smooth_profile([(2.4, 14.9), (3.0, 14.8), (3.3, 15.6), (3.1, 16.5),
                                     (2.6, 16.7), (2.3, 16.2)])
     made.append(shapes.lathe("Collar", collar, looks.linen, location=(0, 1.2, 0),
@@ -96,6 +97,8 @@ def face(looks):
     for side in (-1, 1):
         made.append(shapes.sphere("Eye", 0.72 * HEAD, looks.eye, 32,
                                   location=of_head(side * 2.3, 4.45, 20.2)))
+        made.append(shapes.sphere("Gleam", 0.2, looks.gleam, 16,
+                                  location=of_head(side * 2.3 + 0.22, 5.06, 20.52)))
         for k in range(3):
             points = [of_head(side * 1.9, 5.6, 18.0 + 0.2 * k),
                       of_head(side * 3.8, 6.2, 18.2 + 0.55 * k),
@@ -103,7 +106,16 @@ def face(looks):
             made.append(shapes.wire("Whisker", points, [0.06, 0.05, 0.02], looks.ebony))
     nose = shapes.sphere("Nose", 0.5 * HEAD, looks.eye, 24, location=of_head(0.0, 6.75, 19.15))
     nose.scale = (1.15, 0.8, 0.75)
-    return made + [nose]
+    return made + [nose] + mouth(looks)
+
+
+def mouth(looks):
+    """A line down from the nose, and one to either side."""
+    parting = of_head(0.0, 6.56, 17.75)
+    lines = [[of_head(0.0, 6.88, 18.8), parting]]
+    lines += [[parting, of_head(side * 0.75, 6.38, 17.35), of_head(side * 1.45, 6.06, 17.6)]
+              for side in (-1, 1)]
+    return [shapes.wire("Mouth", line, 0.09, looks.ebony) for line in lines]
 
 
 def watch(looks):
