@@ -13,7 +13,7 @@ from . import (biscuits, bottle, candle, cards, chess, dream, garden, light, mir
                rabbit, room)
 from .looks import Looks
 
-SAMPLES = 128                           # a first picture; README.md's has 512
+SAMPLES = 160                           # a first picture; README.md's has 512
 
 
 def build(scene, evening=False, dreaming=True):

@@ -38,8 +38,8 @@ def fallen_pack(looks):
     cards = [make_card(looks, faces[(3 * k + 1) % len(faces)], place, turn)
              for k, (place, turn) in enumerate(CARDS)]
     # One stands against the foot of the frame.
-    cards.append(make_card(looks, "hearts_1", (0.158, -0.0285, 0.0411), degrees(65, 0, 183)))
-    cards[-1].rotation_euler = degrees(-115, 0, 3)
+    cards.append(make_card(looks, "hearts_1", (0.150, -0.0440, 0.0400),
+                           degrees(-117, 0, 5)))
     parts.keep_on_this_side(*cards)
 
 

@@ -21,10 +21,10 @@ def afternoon_light():
     """Low sun through a window at the left; the room answers with a little cool light."""
     parts.set_world_hdri("interior", strength=0.30, turn=degrees(200))
     window = parts.area_light("Window", (-1.25, -1.0, 0.95), (0.02, 0.05, 0.08), (0.5, 0.6),
-                              power=5.0, color=(1.0, 0.83, 0.64))
+                              power=9.0, color=(1.0, 0.83, 0.64))
     window.data.spread = degrees(130)
     sun = parts.area_light("Low sun", (-3.2, -2.6, 2.25), (0.05, 0.1, 0.12), (0.05, 0.05),
-                           power=120.0, color=(1.0, 0.72, 0.42))
+                           power=105.0, color=(1.0, 0.72, 0.42))
     sun.data.spread = degrees(40)
     window_bars((-1.60, -1.32, 1.17))
     parts.keep_on_this_side(window, sun)
@@ -52,9 +52,9 @@ def window_bars(centre):
 def evening_light():
     """Night outside; candles, and a lamp in the next room."""
     parts.set_world_hdri("night", strength=0.5, turn=degrees(60))
-    glow = parts.area_light("Ballroom", (1.3, -0.9, 0.8), (0.0, 0.0, 0.12), (0.5, 0.9), power=16.0,
+    glow = parts.area_light("Ballroom", (1.3, -0.9, 0.8), (0.0, 0.0, 0.12), (0.5, 0.9), power=34.0,
                             color=(1.0, 0.55, 0.25))
-    moon = parts.area_light("Moon", (-1.6, -0.9, 1.2), (0.0, 0.0, 0.1), (0.5, 0.8), power=9.0,
+    moon = parts.area_light("Moon", (-1.6, -0.9, 1.2), (0.0, 0.0, 0.1), (0.5, 0.8), power=14.0,
                             color=(0.35, 0.50, 1.0))
     parts.keep_on_this_side(glow, moon)
 

@@ -22,10 +22,10 @@ def white_marble():
     """Polish over a surface that lets half of the light into the scattering medium inside. The
     light is not bent where it enters, so that lamps reach the inside directly."""
     material, nodes = parts.new_material("White marble")
-    vein = veins(nodes, 38.0, 0.035)
+    vein = veins(nodes, 38.0, 0.045)
     color = nodes.add("MixRGB", {"Fac": nodes.add("Math", {0: vein, 1: 0.75},
                                                   operation='MULTIPLY'),
-                                 "Color1": (0.86, 0.84, 0.79), "Color2": (0.30, 0.31, 0.33)})
+                                 "Color1": (0.74, 0.72, 0.67), "Color2": (0.13, 0.14, 0.16)})
     crust = nodes.add("BsdfDiffuse", {"Color": color})
     clear = nodes.add("BsdfTransparent", {"Color": (1.0, 1.0, 1.0)})
     into = nodes.add("MixShader", {0: nodes.add("MapRange", {"Value": vein, "To Min": 0.55,
@@ -34,7 +34,7 @@ def white_marble():
     polish = nodes.add("BsdfGlossy", {"Color": (1.0, 1.0, 1.0), "Roughness": 0.10},
                        distribution='GGX')
     surface = nodes.add("MixShader", {0: nodes.add("Fresnel", {"IOR": 1.5}), 1: into, 2: polish})
-    medium = nodes.add("VolumeScatter", {"Color": (0.985, 0.96, 0.90), "Density": 260.0,
+    medium = nodes.add("VolumeScatter", {"Color": (0.97, 0.93, 0.86), "Density": 260.0,
                                          "Anisotropy": 0.2})
     nodes.surface(surface, volume=medium)
     return material
