@@ -4,7 +4,6 @@
 import math
 
 import bmesh
-import bpy
 import shapes
 
 from .fallen import BISCUITS

@@ -6,8 +6,6 @@ import math
 import bmesh
 import bpy
 import shapes
-
-import parts
 from parts import degrees
 
 from .layout import BOTTLE

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A candle that burns behind the mirror only, except in the evening."""
 
-import shapes
-
 import parts
+import shapes
 
 from .layout import CANDLE
 

@@ -4,10 +4,9 @@
 import math
 
 import bpy
+import parts
 import shapes
 from mathutils import Vector
-
-import parts
 from parts import degrees
 
 from .fallen import CARDS

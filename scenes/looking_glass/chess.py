@@ -3,9 +3,8 @@
 
 import math
 
-import shapes
-
 import parts
+import shapes
 
 from .layout import DARK_QUEEN, WHITE_QUEEN
 

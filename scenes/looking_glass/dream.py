@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The country behind the mirror: a chessboard from the table's edge to the hills, and a moon."""
 
-import shapes
-
 import parts
+import shapes
 
 BOARD_SQUARE = 0.13
 

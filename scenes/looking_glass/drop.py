@@ -13,7 +13,6 @@ import random
 import sys
 
 import bpy
-from mathutils import Euler
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
@@ -142,4 +141,5 @@ def main():
         "\n" + written("CARDS", fallen[0]) + "\n\n" + written("BISCUITS", fallen[1]) + "\n")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -5,10 +5,9 @@ import math
 
 import bmesh
 import bpy
+import parts
 import shapes
 from mathutils import Vector
-
-import parts
 from parts import degrees
 
 

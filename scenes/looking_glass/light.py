@@ -2,9 +2,8 @@
 """Lamps and skies: afternoon or evening on this side, another sky in the dream."""
 
 import bpy
-import shapes
-
 import parts
+import shapes
 from parts import degrees
 
 

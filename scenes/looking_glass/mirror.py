@@ -2,9 +2,8 @@
 """The looking glass and its carved frame."""
 
 import bpy
-import shapes
-
 import parts
+import shapes
 from parts import degrees
 
 from .layout import FRAME_WIDTH, MIRROR_LEAN, OPENING

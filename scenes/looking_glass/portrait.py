@@ -3,8 +3,6 @@
 
 import bpy
 import shapes
-
-import parts
 from parts import degrees
 
 from .layout import PHOTOGRAPH

@@ -3,10 +3,9 @@
 under one scaled empty; every surface but his watch is cut in lines, his clothes tinted by hand."""
 
 import bpy
+import parts
 import shapes
 from mathutils import Euler, Vector
-
-import parts
 from parts import degrees
 
 PLACE, SIZE, TURN = (0.018, -0.80, 0.0), 0.0137, -4.0

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The table and the wall."""
 
-import shapes
-
 import parts
+import shapes
 from parts import degrees
 
 
