@@ -186,6 +186,38 @@ class PlaceTest(VolumeCase):
         self.agrees("film")
 
 
+class VaryingTest(VolumeCase):
+
+    def textured(self, node, socket, texture, scale=1.0, **inputs):
+        """Maker: `socket` of the volume node is a texture at object coordinates."""
+        named = {key.replace("_", " "): value for key, value in inputs.items()}
+
+        def build(nodes):
+            coordinate = nodes.add("ShaderNodeTexCoord").outputs["Object"]
+            value = nodes.add(texture, None, {"Vector": coordinate})
+            if "Scale" in value.inputs:
+                value.inputs["Scale"].default_value = scale
+            strength = nodes.add("ShaderNodeMath", {"operation": "MULTIPLY"},
+                                 {0: value.outputs["Fac"], 1: 3.0})
+            return nodes.add(node, None, {**named, socket: strength})
+        return lambda: scene_factory.volume_material("m", build)
+
+    def test_density(self):
+        make = self.textured("ShaderNodeVolumeAbsorption", "Density", "ShaderNodeTexNoise", 2.0,
+                             Color=(0.2, 0.5, 0.9))
+        self.in_box("absorbing noise", make, relative=0.01)
+        make = self.textured("ShaderNodeVolumeScatter", "Density", "ShaderNodeTexGradient")
+        self.in_box("scattering gradient", make, volume_bounces=2, relative=0.01)
+        make = self.textured("ShaderNodeVolumePrincipled", "Density", "ShaderNodeTexNoise", 3.0,
+                             Anisotropy=0.5)
+        self.in_box("principled noise", make, "POINT", samples=512, relative=0.01)
+
+    def test_emission(self):
+        make = self.textured("ShaderNodeVolumePrincipled", "Emission Strength",
+                             "ShaderNodeTexChecker", Density=0.5)
+        self.in_box("checkered glow", make, relative=0.01)
+
+
 class AbsorptionOracleTest(RenderTestCase):
 
     def test_slab(self):

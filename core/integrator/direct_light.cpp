@@ -174,7 +174,7 @@ Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Work
                                 worker.light);
     }
     if (scene.has_media)
-      radiance *= segment_transmittance(scene, state.media, state.ray,
+      radiance *= segment_transmittance(scene, state.media, state.ray, state.skipped_before,
                                         state.skipped_before + hit->t, state.info, worker.light);
     sum += radiance * weight;
   }

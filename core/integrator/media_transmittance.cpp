@@ -25,12 +25,6 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
 
 }  // namespace
 
-Spectrum segment_transmittance(const Scene& scene, const MediumStack& media, const Ray& ray,
-                               float length, const PathInfo& path, ShadingContext& scratch) {
-  if (media.empty() && !scene.worlds[path.world].material.has_volume) return Spectrum(1.0f);
-  return beer_lambert(media_along(scene, media, ray, path, scratch).sigma_t(), length);
-}
-
 Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
                              const SegmentStart& start, const PathInfo& path,
                              ShadingContext& scratch) {
@@ -44,13 +38,15 @@ Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings,
   if (!scene.has_transparent_shadows)
     return scene.accel->occluded(ray, mask)
                ? Spectrum()
-               : segment_transmittance(scene, media, rest, skipped + rest.t_max, info, scratch);
+               : segment_transmittance(scene, media, rest, skipped, skipped + rest.t_max, info,
+                                       scratch);
   Spectrum through(1.0f);
   for (int i = 0; i < k_max_boundaries; ++i) {
     const auto hit = scene.accel->intersect(rest, mask);
-    through *= segment_transmittance(scene, media, rest, skipped + (hit ? hit->t : rest.t_max),
-                                     info, scratch);
-    if (!hit || !(max_component(through) > 0.0f)) return through;
+    const auto dimmed = [&](float t) {
+      return segment_transmittance(scene, media, rest, skipped, skipped + t, info, scratch);
+    };
+    if (!hit) return through * dimmed(rest.t_max);
     const SurfaceInteraction at = scene.interaction(rest, *hit, 0.0f);
     const Material& material = scene.material_at(at, path.world);
     if (material.has_surface) {
@@ -60,9 +56,11 @@ Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings,
       through *= surface_transparency(scene, at, material, info, scratch);
       ++info.transparent_depth;
     }
+    through *= dimmed(hit->t);
     rest.t_max -= hit->t;
     rest.origin = offset_ray_origin(at, rest.direction);
     skipped = skipped_length(at, rest.origin, rest.direction);
+    if (!(max_component(through) > 0.0f)) return {};
     cross_boundary(scene, at, rest.origin, path.world, media);
     rest.t_min = 0.0f;
     if (!(rest.t_max > 0.0f)) return through;

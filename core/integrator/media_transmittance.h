@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "integrator/medium_stack.h"
+#include "integrator/segment_media.h"
 #include "scene/description.h"
 
 namespace tenniel {
@@ -22,9 +22,5 @@ SegmentStart segment_from(const Scene& scene, const SurfaceInteraction& at, Vec3
 Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
                              const SegmentStart& start, const PathInfo& path,
                              ShadingContext& scratch);
-
-// The same over `length` of one segment, up to the next boundary.
-Spectrum segment_transmittance(const Scene& scene, const MediumStack& media, const Ray& ray,
-                               float length, const PathInfo& path, ShadingContext& scratch);
 
 }  // namespace tenniel

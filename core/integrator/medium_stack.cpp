@@ -8,6 +8,8 @@ namespace {
 // Boundaries of one object that a probe looks at: each slot's first one tells.
 constexpr int k_max_probes = 64;
 constexpr size_t k_max_coincident = 8;
+// Steps where a medium varies, as in Cycles: a part of the object's mean extent; metres in a World.
+constexpr float k_object_step = 0.1f, k_world_step = 10.0f;
 // Along no axis: it runs along no side of a box and through no pole of a sphere.
 constexpr Vec3 k_probe_direction{0.3112f, 0.1779f, 0.9335f};
 
@@ -42,7 +44,7 @@ void cross(const Scene& scene, const SurfaceInteraction& at, WorldIndex world, M
     media.enter(entry);
 }
 
-void add_medium(const Material& material, const Instance* instance, Vec3 point, const Ray& ray,
+void add_medium(const Material& material, const Instance* instance, Vec3 point, Vec3 direction,
                 const PathInfo& path, ShadingContext& scratch, MediumProperties& sum) {
   if (!material.has_volume) return;
   if (material.is_volume_constant) {
@@ -52,8 +54,8 @@ void add_medium(const Material& material, const Instance* instance, Vec3 point, 
   scratch.surface = SurfaceInteraction();
   scratch.surface.instance = instance;
   scratch.surface.position = point;
-  scratch.surface.wo = -ray.direction;
-  scratch.surface.geometric_normal = scratch.surface.shading_normal = -ray.direction;
+  scratch.surface.wo = -direction;
+  scratch.surface.geometric_normal = scratch.surface.shading_normal = -direction;
   scratch.path = path;
   scratch.domain = ShaderDomain::surface;
   scratch.lamp = nullptr;
@@ -94,17 +96,35 @@ void cross_boundary(const Scene& scene, const SurfaceInteraction& at, Vec3 origi
   }
 }
 
-MediumProperties media_along(const Scene& scene, const MediumStack& media, const Ray& ray,
-                             const PathInfo& path, ShadingContext& scratch) {
+MediumProperties media_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                          const PathInfo& path, ShadingContext& scratch) {
   MediumProperties sum;
   scratch.camera = &scene.camera_info;
-  add_medium(scene.worlds[path.world].material, nullptr, ray.origin, ray, path, scratch, sum);
+  add_medium(scene.worlds[path.world].material, nullptr, point, direction, path, scratch, sum);
   for (const MediumStack::Entry& entry : media) {
     const Instance& instance = scene.instances[entry.instance];
     const Material& material = scene.materials[instance.material(entry.slot, path.world)];
-    add_medium(material, &instance, instance.object_to_world.translation, ray, path, scratch, sum);
+    add_medium(material, &instance, point, direction, path, scratch, sum);
   }
   return sum;
+}
+
+float medium_step(const Scene& scene, const MediumStack& media, WorldIndex world) {
+  const auto varies = [](const Material& m) { return m.has_volume && !m.is_volume_constant; };
+  float step = varies(scene.worlds[world].material) ? k_world_step : k_infinity;
+  for (const MediumStack::Entry& entry : media) {
+    const Instance& instance = scene.instances[entry.instance];
+    if (!varies(scene.materials[instance.material(entry.slot, world)])) continue;
+    const auto filled = std::lower_bound(
+        scene.filled_instances.begin(), scene.filled_instances.end(), entry.instance,
+        [](const FilledInstance& f, uint32_t index) { return f.instance < index; });
+    const Vec3 size = filled->bounds.max - filled->bounds.min;
+    const float least = std::min({size.x, size.y, size.z});
+    const float across = k_object_step * (size.x + size.y + size.z) / 3.0f;
+    // At least four steps through a flat one; none is so flat that its steps have no end.
+    step = std::min(step, std::max(std::min(across, 0.25f * least), 0.01f * across));
+  }
+  return step;
 }
 
 }  // namespace tenniel

@@ -62,8 +62,11 @@ inline float skipped_length(const SurfaceInteraction& at, Vec3 origin, Vec3 dire
   return distance(at.position, origin) / cosine;
 }
 
-// What light meets along `ray` before the next boundary.
-MediumProperties media_along(const Scene& scene, const MediumStack& media, const Ray& ray,
-                             const PathInfo& path, ShadingContext& scratch);
+// What light that travels in `direction` meets at `point`.
+MediumProperties media_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                          const PathInfo& path, ShadingContext& scratch);
+
+// Metres over which the media may be taken as homogeneous; infinite where all of them are.
+float medium_step(const Scene& scene, const MediumStack& media, WorldIndex world);
 
 }  // namespace tenniel

@@ -27,15 +27,13 @@ std::optional<Vec3> center_of(const Light& light) {
 // halo nor fog far from any lamp is left to the way that is bad at it.
 class SegmentSampler {
  public:
-  SegmentSampler(const Scene& scene, const PathState& state, const FreeFlight& flight,
-                 float sigma_t, float length)
+  SegmentSampler(const Scene& scene, const PathState& state, const SegmentMedia& media)
       : lights_(scene.light_samplers[state.info.world]),
         all_(scene.lights),
         ray_(state.ray),
         skipped_(state.skipped_before),
-        flight_(flight),
-        length_(length),
-        middle_(point_at(0.5f * std::min(length, 1.0f / sigma_t))) {}
+        media_(media),
+        middle_(point_at(0.5f * std::min(media.length(), media.mean_free_path()))) {}
 
   // In a medium there is no hemisphere.
   ShadingPoint point_at(float t) const {
@@ -51,17 +49,17 @@ class SegmentSampler {
   std::optional<Choice> sample(float u_way, float u_distance, float u_light) const {
     const bool by_flight = u_way < 0.5f;
     Choice choice;
-    if (by_flight) choice.t = flight_.sample(u_distance);
+    if (by_flight) choice.t = media_.sample(u_distance);
     const auto light = lights_.choose(by_flight ? point_at(choice.t) : middle_, u_light);
     if (!light) return {};
     choice.light = light->light;
     const auto around = near_light(choice.light);
-    if (!by_flight) choice.t = around ? around->sample(u_distance) : flight_.sample(u_distance);
+    if (!by_flight) choice.t = around ? around->sample(u_distance) : media_.sample(u_distance);
     choice.light_probability =
         by_flight ? light->probability : lights_.probability(point_at(choice.t), choice.light);
     const float for_segment =
         by_flight ? lights_.probability(middle_, choice.light) : light->probability;
-    const float flight_pdf = flight_.pdf(choice.t);
+    const float flight_pdf = media_.pdf(choice.t);
     choice.pdf = 0.5f * flight_pdf * choice.light_probability +
                  0.5f * for_segment * (around ? around->pdf(choice.t) : flight_pdf);
     if (!(choice.pdf > 0.0f)) return {};
@@ -74,7 +72,7 @@ class SegmentSampler {
     if (!center) return {};
     Ray whole = ray_;
     whole.origin = ray_.at(-skipped_);
-    const Equiangular around(whole, length_, *center);
+    const Equiangular around(whole, media_.length(), *center);
     if (!around.is_usable()) return {};
     return around;
   }
@@ -83,21 +81,19 @@ class SegmentSampler {
   const std::vector<Light>& all_;
   const Ray& ray_;
   const float skipped_;
-  const FreeFlight& flight_;
-  const float length_;
+  const SegmentMedia& media_;
   const ShadingPoint middle_;
 };
 
 }  // namespace
 
 Spectrum light_scattered_in(const Scene& scene, const RenderSettings& settings,
-                            const PathState& state, const MediumProperties& medium,
-                            const FreeFlight& flight, float length, Worker& worker) {
+                            const PathState& state, const SegmentMedia& media, Worker& worker) {
   Sampler& sampler = worker.sampler;
   const float u_way = sampler.get_1d(), u_distance = sampler.get_1d();
   const float u_light = sampler.get_1d();
   const Vec2 u = sampler.get_2d();
-  const SegmentSampler segment(scene, state, flight, mean(medium.sigma_t()), length);
+  const SegmentSampler segment(scene, state, media);
   const auto choice = segment.sample(u_way, u_distance, u_light);
   if (!choice) return {};
   const Light& light = scene.lights[choice->light];
@@ -111,12 +107,12 @@ Spectrum light_scattered_in(const Scene& scene, const RenderSettings& settings,
   const auto sample = sample_light(scene, light, point, path, u, worker.light);
   if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
 
-  const PhaseEval phase = medium.phase.eval(state.ray.direction, sample->wi);
+  const PhaseEval phase = media.medium_at(choice->t).phase.eval(state.ray.direction, sample->wi);
   const bool can_be_met = !sample->is_delta && light.use_mis;
   const float weight =
       can_be_met ? power_heuristic(sample->pdf * choice->light_probability, phase.pdf) : 1.0f;
-  const Spectrum result = beer_lambert(medium.sigma_t(), choice->t) * phase.value *
-                          sample->radiance * (weight / (sample->pdf * choice->pdf));
+  const Spectrum result = media.transmittance_to(choice->t) * phase.value * sample->radiance *
+                          (weight / (sample->pdf * choice->pdf));
   if (!light.casts_shadow || is_black(result)) return result;
   Ray ray;
   ray.origin = point.position;

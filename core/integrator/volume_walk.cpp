@@ -17,47 +17,40 @@ uint32_t dimension_of(const PathState& state) {
   return k_first_dimension + state.vertices * k_dimensions_per_segment;
 }
 
-// A path that has reached a limit is only dimmed.
-Spectrum scattering_of(const MediumProperties& medium, const PathState& state) {
-  return state.ends_after_transparent ? Spectrum() : medium.sigma_s;
-}
-
 }  // namespace
 
+// A path that has reached a limit is only dimmed.
 VolumeWalk::VolumeWalk(const Scene& scene, const RenderSettings& settings, const PathState& state,
                        float length, Worker& worker)
     : scene_(scene),
       settings_(settings),
-      medium_(media_along(scene, state.media, state.ray, state.info, worker.light)),
-      length_(state.skipped_before + length),
-      flight_(medium_.sigma_t(), scattering_of(medium_, state), state.throughput, length_) {}
-
-Spectrum VolumeWalk::emission() const {
-  if (is_black(medium_.emission)) return {};
-  return medium_.emission * emission_length(medium_.sigma_t(), length_);
-}
+      segment_(worker.medium_steps, scene, state.media, state.ray, state.skipped_before,
+               state.skipped_before + length, state.throughput, !state.ends_after_transparent,
+               state.info, worker.light) {}
 
 Spectrum VolumeWalk::lamp_light(const PathState& state, Worker& worker) const {
-  if (!(flight_.scatter_probability() > 0.0f)) return {};
+  if (!(segment_.scatter_probability() > 0.0f)) return {};
   worker.sampler.set_dimension(dimension_of(state));
-  return light_scattered_in(scene_, settings_, state, medium_, flight_, length_, worker);
+  return light_scattered_in(scene_, settings_, state, segment_, worker);
 }
 
 MediumEvent VolumeWalk::advance(PathState& state, Worker& worker) const {
   Sampler& sampler = worker.sampler;
   sampler.set_dimension(dimension_of(state) + k_light_dimensions);
-  const float probability = flight_.scatter_probability();
+  const float probability = segment_.scatter_probability();
   if (!(probability > 0.0f) || sampler.get_1d() >= probability) {
-    state.throughput *= flight_.transmittance() * (1.0f / (1.0f - probability));
+    state.throughput *= segment_.transmittance() * (1.0f / (1.0f - probability));
     return max_component(state.throughput) > 0.0f ? MediumEvent::passed : MediumEvent::ended;
   }
-  const float flown = flight_.sample(sampler.get_1d());
+  const float flown = segment_.sample(sampler.get_1d());
   const float t = std::max(flown - state.skipped_before, 0.0f);
   const float u_lobe = sampler.get_1d();
-  const PhaseSample s = medium_.phase.sample(state.ray.direction, u_lobe, sampler.get_2d());
+  const PhaseFunction& phase = segment_.medium_at(flown).phase;
+  if (phase.empty()) return MediumEvent::ended;
+  const PhaseSample s = phase.sample(state.ray.direction, u_lobe, sampler.get_2d());
   if (!(s.eval.pdf > 0.0f)) return MediumEvent::ended;
-  state.throughput *= beer_lambert(medium_.sigma_t(), flown) * s.eval.value *
-                      (1.0f / (flight_.pdf(flown) * probability * s.eval.pdf));
+  state.throughput *= segment_.transmittance_to(flown) * s.eval.value *
+                      (1.0f / (segment_.pdf(flown) * probability * s.eval.pdf));
   if (!(max_component(state.throughput) > 0.0f)) return MediumEvent::ended;
   count_volume_bounce(state, settings_);
   state.pdf = s.eval.pdf;

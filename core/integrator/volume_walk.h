@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "integrator/medium_stack.h"
 #include "integrator/path_state.h"
+#include "integrator/segment_media.h"
 #include "integrator/worker.h"
-#include "media/free_flight.h"
 #include "scene/description.h"
 
 namespace tenniel {
@@ -21,9 +20,9 @@ class VolumeWalk {
              float length, Worker& worker);
 
   // Nothing is there: the path may go on as if there were no media.
-  bool is_vacuum() const { return medium_.is_vacuum(); }
+  bool is_vacuum() const { return segment_.is_vacuum(); }
   // What glows on the way.
-  Spectrum emission() const;
+  Spectrum emission() const { return segment_.emission(); }
   // Light that lamps send into the segment and the media scatter back along it: one sample.
   Spectrum lamp_light(const PathState& state, Worker& worker) const;
   // Scatters the path somewhere on the segment or takes it to its end, with the throughput that is
@@ -33,9 +32,7 @@ class VolumeWalk {
  private:
   const Scene& scene_;
   const RenderSettings& settings_;
-  MediumProperties medium_;
-  float length_;
-  FreeFlight flight_;
+  SegmentMedia segment_;
 };
 
 }  // namespace tenniel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "integrator/segment_media.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
 #include "shading/shading_context.h"
@@ -12,10 +13,12 @@ struct Worker {
   Worker(const Scene& scene, uint32_t seed) : sampler(seed) {
     surface.reserve(scene.register_count);
     light.reserve(scene.register_count);
+    if (scene.has_media) medium_steps.reserve(k_max_medium_steps);
   }
   Sampler sampler;
   ShadingContext surface;  // the surface the path is at
   ShadingContext light;    // what a light, a shadow caster or the background says meanwhile
+  std::vector<MediumStep> medium_steps;  // of the segment the path is on
 };
 
 }  // namespace tenniel

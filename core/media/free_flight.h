@@ -52,6 +52,7 @@ class FreeFlight {
       scattered += weights_[c];
       passed += before[c] * through[c];
     }
+    scattered_ = scattered;
     if (!(scattered > 0.0f)) return;
     for (float& w : weights_)
       w /= scattered;
@@ -60,6 +61,8 @@ class FreeFlight {
 
   // Of scattering before the end; 0 in a medium that only absorbs.
   float scatter_probability() const { return scatter_probability_; }
+  // Light that is scattered on the way, the channels' sum.
+  float scattered() const { return scattered_; }
   // Over the whole length.
   Spectrum transmittance() const { return transmittance_; }
   // Distance to the scattering, given that there is one.
@@ -89,6 +92,7 @@ class FreeFlight {
   std::array<float, 3> extinct_{};  // 1 - transmittance
   Spectrum transmittance_;
   float length_;
+  float scattered_ = 0.0f;
   float scatter_probability_ = 0.0f;
 };
 

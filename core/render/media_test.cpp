@@ -112,6 +112,30 @@ TEST(Media, BoundariesCountAsNoSurface) {
   EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-0.1 * 0.2 * 20), 1e-5);
 }
 
+// Density 1 + z in object space, from 0 to 2 along the box.
+NodeGraph graded(const std::string& type) {
+  GraphBuilder g("graded");
+  const uint32_t coordinate = g.add("ShaderNodeTexCoord");
+  const uint32_t parts = g.add("ShaderNodeSeparateXYZ");
+  const uint32_t sum = g.add("ShaderNodeMath", {{"Value_001", {1.0f}}});
+  const bool absorbs = type == "ShaderNodeVolumeAbsorption";
+  const uint32_t v = g.add(type, {{"Color", grey(absorbs ? 0.0f : 1.0f)}});
+  g.link(coordinate, "Object", parts, "Vector").link(parts, "Z", sum, "Value");
+  return g.link(sum, "Value", v, "Density").volume(v).build();
+}
+
+TEST(MediaStatistics, GradedSlabIsTheIntegralOfItsDensity) {
+  SceneBuilder b = seen_from_above(1.0f);
+  b.object(box(), graded("ShaderNodeVolumeAbsorption"), slab(1.0f));
+  b.scene.settings.samples = 256;
+  const Mean seen = mean_of(render(b.scene));
+  EXPECT_NEAR(seen.value, std::exp(-2.0), 4.0 * seen.error + 0.01 * std::exp(-2.0));
+  // A cube has more steps.
+  b.scene.instances[0].object_to_world = k_identity34;
+  const Mean cube = mean_of(render(b.scene));
+  EXPECT_NEAR(cube.value, std::exp(-2.0), 4.0 * cube.error + 0.002 * std::exp(-2.0));
+}
+
 // What scatters everything and absorbs nothing cannot be seen in a uniform world.
 struct FurnaceCase {
   const char* name;
@@ -137,6 +161,7 @@ const FurnaceCase k_furnaces[] = {
     {"forward", [](SceneBuilder& b) { b.object(sphere(), scatter(2.0f, 0.9f)); }},
     {"backward", [](SceneBuilder& b) { b.object(box(), scatter(1.0f, -0.5f)); }},
     {"chromatic", [](SceneBuilder& b) { b.object(sphere(), colored_scatter()); }},
+    {"graded", [](SceneBuilder& b) { b.object(box(), graded("ShaderNodeVolumeScatter")); }},
     {"overlapping",
      [](SceneBuilder& b) {
        b.object(sphere(), scatter(0.7f, 0.5f), at(0.5f, 0.0f, 0.0f));
