@@ -13,10 +13,8 @@ namespace {
 constexpr float k_unit_roundoff_steps = 256.0f * 0x1p-23f;  // of Waechter & Binder's integer scale
 
 // Which half of a quad (u, v) lies in. A triangle among quads has no second half.
-bool in_second_half(const Mesh& mesh, const Hit& hit) {
-  if (mesh.corners_per_face == 3 || hit.u + hit.v <= 1.0f) return false;
-  const uint32_t* v = &mesh.face_vertices[hit.face * size_t{4}];
-  return v[2] != v[3];
+bool in_second_half(const Mesh& mesh, const uint32_t* face_vertices, const Hit& hit) {
+  return mesh.corners_per_face == 4 && hit.u + hit.v > 1.0f && face_vertices[2] != face_vertices[3];
 }
 
 // Per-corner normals of the triangle, in the mesh's space; null where the face is flat.
@@ -29,7 +27,7 @@ CornerNormals smooth_normals(const SurfaceInteraction& at) {
   const bool by_corner = !mesh.corner_normals.empty();
   const auto& normals = by_corner ? mesh.corner_normals : mesh.vertex_normals;
   if (normals.empty()) return {};
-  const auto& ids = by_corner ? at.triangle.corners : at.triangle.vertices;
+  const auto ids = by_corner ? at.corners() : at.vertices;
   return {&normals[ids[0]], &normals[ids[1]], &normals[ids[2]]};
 }
 
@@ -40,7 +38,7 @@ Vec3 weighted(const std::array<float, 3>& w, Vec3 a, Vec3 b, Vec3 c) {
 // Corners, position and the geometric normal on the side that the object's own front is on.
 Vec3 place_on_triangle(SurfaceInteraction& at) {
   const Mesh& mesh = *at.mesh;
-  const auto& v = at.triangle.vertices;
+  const auto& v = at.vertices;
   const Vec3 p0 = mesh.positions[v[0]];
   Vec3 edge_1 = mesh.positions[v[1]] - p0, edge_2 = mesh.positions[v[2]] - p0;
   // From one corner along the edges: the rounding is that of the edges, not of three large points.
@@ -74,8 +72,10 @@ SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instan
   at.instance = &instance;
   at.mesh = &mesh;
   at.face = hit.face;
-  const bool second = in_second_half(mesh, hit);
-  at.triangle = face_triangle(mesh, hit.face, second);
+  const uint32_t* ids = &mesh.face_vertices[hit.face * mesh.stride()];
+  const bool second = in_second_half(mesh, ids, hit);
+  at.is_second_half = second;
+  at.vertices = half_of(ids, mesh.stride(), second);
   at.u = second ? 1.0f - hit.u : hit.u;
   at.v = second ? 1.0f - hit.v : hit.v;
   at.weights = {1.0f - at.u - at.v, at.u, at.v};
@@ -104,8 +104,7 @@ std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceIntera
     std::copy_n(&attribute.data[polygon * channels], channels, result.begin());
     return result;
   }
-  const auto& ids =
-      attribute.domain == AttributeDomain::vertex ? at.triangle.vertices : at.triangle.corners;
+  const auto ids = attribute.domain == AttributeDomain::vertex ? at.vertices : at.corners();
   const float* a = &attribute.data[ids[0] * channels];
   const float* b = &attribute.data[ids[1] * channels];
   const float* c = &attribute.data[ids[2] * channels];
@@ -122,7 +121,7 @@ size_t first_corner(const SurfaceInteraction& at) {
   if (at.mesh->corners_per_face == 3) return 0;
   const uint32_t* v = &at.mesh->face_vertices[at.face * size_t{4}];
   if (v[2] == v[3]) return 0;
-  const auto& corners = at.triangle.corners;
+  const auto corners = at.corners();
   return static_cast<size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
 }
 

@@ -54,7 +54,8 @@ struct Mesh {
   bool flips_winding = false;              // world space by a mirroring transform
   uint32_t dropped_faces = 0;              // non-finite or with an index out of range
 
-  size_t face_count() const { return face_vertices.size() / static_cast<size_t>(corners_per_face); }
+  size_t stride() const { return static_cast<size_t>(corners_per_face); }
+  size_t face_count() const { return face_vertices.size() / stride(); }
   int material_slot(uint32_t face) const {
     return face_materials.empty() ? 0 : face_materials[face];
   }
@@ -83,14 +84,16 @@ struct FaceTriangle {
   std::array<uint32_t, 3> vertices;
   std::array<uint32_t, 3> corners;
 };
-// `second`: the half (2,3,1) of a quad; of a triangle in a quad mesh it is empty (zero area).
+// Three of the `stride` ids of a face: `second` picks the half (2,3,1) of a quad; of a triangle in
+// a quad mesh that one is empty (zero area).
+inline std::array<uint32_t, 3> half_of(const uint32_t* ids, size_t stride, bool second) {
+  if (second) return {ids[2], ids[3], ids[1]};
+  return {ids[0], ids[1], ids[stride - 1]};
+}
 inline FaceTriangle face_triangle(const Mesh& mesh, uint32_t face, bool second) {
-  const auto stride = static_cast<size_t>(mesh.corners_per_face);
-  const uint32_t* v = &mesh.face_vertices[face * stride];
-  const uint32_t* c = &mesh.face_corners[face * stride];
-  if (second) return {{v[2], v[3], v[1]}, {c[2], c[3], c[1]}};
-  const size_t last = stride - 1;
-  return {{v[0], v[1], v[last]}, {c[0], c[1], c[last]}};
+  const size_t stride = mesh.stride();
+  return {half_of(&mesh.face_vertices[face * stride], stride, second),
+          half_of(&mesh.face_corners[face * stride], stride, second)};
 }
 
 // Adds attributes `name` (3 floats a corner: unit tangent along +u, 0 where there is none) and

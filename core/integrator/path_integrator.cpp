@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/path_integrator.h"
 
+#include <memory>
+
 #include "integrator/direct_light.h"
 #include "integrator/limits.h"
 #include "integrator/media_transmittance.h"
@@ -32,6 +34,7 @@ class PathTracer {
 
  private:
   bool start(Vec2 raster);
+  const SurfaceInteraction& arrive(const Hit& hit);
   void add(Spectrum radiance, int bounces, bool is_through_glass);
   void add_lamps(float t_max);
   void add_background();
@@ -85,9 +88,7 @@ SampleResult PathTracer::trace(Vec2 raster) {
       add_background();
       break;
     }
-    SurfaceInteraction& at = worker_.surface.surface;
-    at = scene_.interaction(state_.ray, *hit, state_.cone.radius_at(hit->t));
-    at.t += state_.length_before;
+    const SurfaceInteraction& at = arrive(*hit);
     if (scene_.has_media && !scene_.material_at(at, state_.info.world).has_surface) {
       const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
       if (!pass_on(at, groups.of(LobeClass::transparent))) break;
@@ -115,6 +116,14 @@ void PathTracer::add(Spectrum radiance, int bounces, bool is_through_glass) {
   const Spectrum seen = clamped(state_.throughput * radiance, bounces, settings_);
   result_.radiance += seen;
   if (is_through_glass) result_.dream_radiance += seen;
+}
+
+// Makes the interaction in its place: what is built elsewhere and copied costs as much again.
+const SurfaceInteraction& PathTracer::arrive(const Hit& hit) {
+  SurfaceInteraction* at = &worker_.surface.surface;
+  std::construct_at(at, scene_.interaction(state_.ray, hit, state_.cone.radius_at(hit.t)));
+  at->t += state_.length_before;
+  return *at;
 }
 
 // Light met by chance counts as the bounce before it did.

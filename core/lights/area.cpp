@@ -34,6 +34,12 @@ void AreaLight::set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v,
   axis_v = normalize_or(edge_v, {0.0f, 1.0f, 0.0f});
   is_rectangle = std::abs(dot(axis_u, axis_v)) <= 1e-4f;
   const Vec3 plane = cross(edge_u, edge_v);
+  for (size_t i = 0; i < 4; ++i) {
+    const Vec3 corner = edge_u * (i % 2 == 0 ? -0.5f : 0.5f) + edge_v * (i < 2 ? -0.5f : 0.5f);
+    corners_x[i] = corner.x;
+    corners_y[i] = corner.y;
+    corners_z[i] = corner.z;
+  }
   const float squared = length_squared(plane);
   parallelogram = std::sqrt(squared);
   if (!(squared > 0.0f)) return;
@@ -66,18 +72,19 @@ AreaLight::Method AreaLight::method_for(Vec3 from) const {
 // distance (after Hart et al. 2020, "Practical Product Sampling by Fitting and Composing Warps").
 // The cosine at the lamp is the height above its plane, common to all corners, over the distance.
 BilinearSquare AreaLight::irradiance_estimate(const ShadingPoint& point) const {
-  const Vec3 first = center - (edge_u + edge_v) * 0.5f - point.position;
-  const std::array<Vec3, 4> corners{first, first + edge_u, first + edge_v, first + edge_u + edge_v};
+  const Vec3 to_center = center - point.position, n = point.normal;
   std::array<float, 4> value;
-  float largest = 0.0f;
   for (size_t i = 0; i < 4; ++i) {
-    const float d2 = length_squared(corners[i]);
-    value[i] = point.has_hemisphere ? std::max(dot(corners[i], point.normal), 0.0f) / sqr(d2)
-                                    : 1.0f / (d2 * std::sqrt(d2));
-    largest = std::max(largest, value[i]);
+    const float x = corners_x[i] + to_center.x, y = corners_y[i] + to_center.y,
+                z = corners_z[i] + to_center.z;
+    const float d2 = x * x + y * y + z * z;
+    const float height = point.has_hemisphere ? x * n.x + y * n.y + z * n.z : std::sqrt(d2);
+    value[i] = (height > 0.0f ? height : 0.0f) / (d2 * d2);
   }
+  const float largest = std::max(std::max(value[0], value[1]), std::max(value[2], value[3]));
+  if (!(largest > 0.0f)) return BilinearSquare({1.0f, 1.0f, 1.0f, 1.0f});
   for (float& v : value)
-    v = largest > 0.0f ? std::max(v, k_min_share * largest) : 1.0f;
+    v = std::max(v, k_min_share * largest);
   return BilinearSquare(value);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "lights/light_types.h"
@@ -18,7 +19,8 @@ struct AreaLight {
   Vec3 axis_u, axis_v;  // unit, along the edges
   float length_u = 0.0f, length_v = 0.0f;
   Vec3 dual_u, dual_v;  // coordinates along the edges of a point in the plane; sheared lamps too
-  float parallelogram = 0.0f;  // area spanned by the edges
+  std::array<float, 4> corners_x{}, corners_y{}, corners_z{};  // from the center
+  float parallelogram = 0.0f;                                  // area spanned by the edges
   bool is_ellipse = false;
   bool is_rectangle = true;  // perpendicular edges: sampled by solid angle from nearby
   Spectrum radiance;         // along the normal

@@ -69,8 +69,7 @@ std::optional<MeshLight::Point> MeshLight::sample(const ShadingPoint& point, Vec
 }
 
 float MeshLight::pdf(const SurfaceInteraction& at, Vec3 from) const {
-  const bool second =
-      halves_ == 2 && at.triangle.vertices == face_triangle(*mesh_, at.face, true).vertices;
+  const bool second = halves_ == 2 && at.is_second_half;
   const uint32_t triangle = at.face * static_cast<uint32_t>(halves_) + (second ? 1u : 0u);
   const float probability = table_.probability(triangle);
   const Vec3 normal_area =

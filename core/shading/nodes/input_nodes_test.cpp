@@ -87,7 +87,7 @@ struct Scene {
     SurfaceInteraction s;
     s.instance = &instance;
     s.mesh = &mesh;
-    s.triangle = {{0, 1, 2}, {0, 1, 2}};
+    s.vertices = {0, 1, 2};
     s.weights = {1.0f - u - v, u, v};
     s.u = u;
     s.v = v;
