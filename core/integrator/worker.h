@@ -14,6 +14,7 @@ struct Worker {
     surface.reserve(scene.register_count);
     light.reserve(scene.register_count);
     if (scene.has_media) medium_steps.reserve(k_max_medium_steps);
+    surface.rays = light.rays = &scene;
   }
   Sampler sampler;
   ShadingContext surface;  // the surface the path is at

@@ -14,6 +14,7 @@
 #include "lights/light_sampler.h"
 #include "math/bounds.h"
 #include "shading/material.h"
+#include "shading/ray_queries.h"
 
 namespace tenniel {
 
@@ -31,7 +32,7 @@ struct FilledInstance {
 };
 
 // Everything a render reads: made by `compile_scene`, immutable since, shared by all threads.
-struct Scene {
+struct Scene final : RayQueries {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;  // the last one is Blender's default material
@@ -62,6 +63,10 @@ struct Scene {
     const Instance& instance = instances[hit.instance];
     return make_interaction(ray, hit, instance, meshes[instance.mesh], footprint);
   }
+  bool is_free(const SurfaceInteraction& from, Vec3 direction, float distance, WorldIndex world,
+               bool own_only) const override;
+  size_t own_hits(const SurfaceInteraction& from, const Ray& ray,
+                  std::span<OwnHit> hits) const override;
   // Bytes of meshes, textures and the acceleration structure.
   size_t memory_bytes() const;
 };

@@ -9,6 +9,7 @@
 #include "geometry/visibility.h"
 #include "math/transform.h"
 #include "media/medium.h"
+#include "shading/ray_queries.h"
 #include "shading/socket.h"
 
 namespace tenniel {
@@ -73,7 +74,8 @@ class ShadingContext {
   ShaderDomain domain = ShaderDomain::surface;
   uint8_t query = k_query_surface;
   const CameraInfo* camera = nullptr;
-  const LampInfo* lamp = nullptr;  // set in a lamp's tree only
+  const RayQueries* rays = nullptr;  // null before there is anything to meet
+  const LampInfo* lamp = nullptr;    // set in a lamp's tree only
   float material_pass_index = 0.0f;
   // The normal that closures use where their Normal input is not linked: the shading normal, or
   // what displacement as bump made of it.
