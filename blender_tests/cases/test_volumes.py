@@ -186,6 +186,41 @@ class PlaceTest(VolumeCase):
         self.agrees("film")
 
 
+class VisibilityTest(VolumeCase):
+
+    def test_what_fog_sees(self):
+        """A glowing ball beside fog, hidden from one kind of ray after the other. From scattering it
+        is hidden in Tenniel alone: in Cycles 3.4 what the phase function meets still counts."""
+        make = volume("ShaderNodeVolumeScatter", Density=1.2)
+        for kind in ("visible_shadow", "visible_camera"):
+            with self.subTest(kind):
+                self.setUp()
+                self.room(energy=0.5)
+                ball = scene_factory.sphere(self.scene, 0.3, scene_factory.emission(strength=20.0),
+                                            location=(0, 0, 1.6))
+                setattr(ball, kind, False)
+                scene_factory.box(self.scene, 2.0, make())
+                self.agrees(kind, volume_bounces=2, samples=384)
+
+    def test_lamp_and_world(self):
+        make = volume("ShaderNodeVolumeScatter", Density=1.2)
+        with self.subTest("lamp"):
+            self.setUp()
+            self.room("AREA")
+            scene_factory.set_world(self.scene, (0.2, 0.3, 0.4))
+            lamp, = (obj for obj in self.scene.objects if obj.type == 'LIGHT')
+            lamp.visible_volume_scatter = False
+            scene_factory.box(self.scene, 2.0, make())
+            self.agrees("lamp", volume_bounces=2)
+        with self.subTest("world"):
+            self.setUp()
+            self.room()
+            scene_factory.set_world(self.scene, (0.4, 0.6, 0.8))
+            self.scene.world.cycles_visibility.scatter = False
+            scene_factory.box(self.scene, 2.0, make())
+            self.agrees("world", volume_bounces=2)
+
+
 class VaryingTest(VolumeCase):
 
     def textured(self, node, socket, texture, scale=1.0, **inputs):

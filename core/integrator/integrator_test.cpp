@@ -32,6 +32,43 @@ TEST(Limits, EachKindOfBounceHasItsOwnBudget) {
   EXPECT_EQ(state.info.diffuse_depth, 2);
 }
 
+TEST(Limits, ScatteringInMediaHasItsOwnBudget) {
+  RenderSettings limits;
+  limits.max_bounces = 8;
+  limits.volume_bounces = 1;
+  PathState state;
+  state.info.is_diffuse = true;
+  count_volume_bounce(state, limits);
+  EXPECT_FALSE(state.ends_after_transparent);
+  EXPECT_EQ(state.info.kind, RayKind::volume_scatter);
+  EXPECT_FALSE(state.info.is_diffuse);
+  EXPECT_FALSE(state.sees_background);
+  count_volume_bounce(state, limits);
+  EXPECT_TRUE(state.ends_after_transparent);
+  EXPECT_EQ(state.info.volume_depth, 2);
+  EXPECT_EQ(state.info.ray_depth, 2);
+}
+
+TEST(MediumStack, EntriesComeAndGoInAnyOrder) {
+  MediumStack media;
+  media.enter({1, 0});
+  media.enter({2, 0});
+  media.enter({1, 1});
+  media.enter({2, 0});  // already there
+  EXPECT_EQ(media.end() - media.begin(), 3);
+  media.leave({1, 0});
+  EXPECT_FALSE(media.contains({1, 0}));
+  EXPECT_TRUE(media.contains({2, 0}));
+  EXPECT_TRUE(media.contains({1, 1}));
+  media.leave({7, 0});  // never entered
+  media.leave({2, 0});
+  media.leave({1, 1});
+  EXPECT_TRUE(media.empty());
+  for (uint32_t i = 0; i < 100; ++i)
+    media.enter({i, 0});
+  EXPECT_EQ(static_cast<size_t>(media.end() - media.begin()), MediumStack::k_max_media);
+}
+
 TEST(Limits, ClampBoundsTheSumOfChannelsAtThreeTimesTheLimit) {
   RenderSettings limits;
   limits.clamp_direct = 0.0f;

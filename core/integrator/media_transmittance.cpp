@@ -23,6 +23,17 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
   return scratch.transparency;
 }
 
+// Lets `ray` go on from `origin` to the same `end`: beside its old way it might meet the light that
+// it comes from.
+void start_anew(Ray& ray, Vec3 end, Vec3 origin) {
+  ray.origin = origin;
+  ray.t_min = 0.0f;
+  if (!(ray.t_max < k_infinity)) return;
+  const Vec3 rest = end - origin;
+  ray.t_max = dot(rest, ray.direction) > 0.0f ? length(rest) : 0.0f;
+  if (ray.t_max > 0.0f) ray.direction = rest / ray.t_max;
+}
+
 }  // namespace
 
 Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
@@ -40,6 +51,7 @@ Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings,
                ? Spectrum()
                : segment_transmittance(scene, media, rest, skipped, skipped + rest.t_max, info,
                                        scratch);
+  const Vec3 end = ray.t_max < k_infinity ? ray.at(ray.t_max) : Vec3{};
   Spectrum through(1.0f);
   for (int i = 0; i < k_max_boundaries; ++i) {
     const auto hit = scene.accel->intersect(rest, mask);
@@ -57,12 +69,10 @@ Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings,
       ++info.transparent_depth;
     }
     through *= dimmed(hit->t);
-    rest.t_max -= hit->t;
-    rest.origin = offset_ray_origin(at, rest.direction);
+    start_anew(rest, end, offset_ray_origin(at, rest.direction));
     skipped = skipped_length(at, rest.origin, rest.direction);
     if (!(max_component(through) > 0.0f)) return {};
     cross_boundary(scene, at, rest.origin, path.world, media);
-    rest.t_min = 0.0f;
     if (!(rest.t_max > 0.0f)) return through;
   }
   return {};

@@ -127,6 +127,37 @@ TEST(MediaLightStatistics, LightSamplingAndChanceAgree) {
   }
 }
 
+TEST(MediaLight, WhatIsHiddenFromScatteringLightsNoFog) {
+  for (const uint32_t kinds : {0x2fu, 0x3fu}) {
+    SceneBuilder b;
+    b.object(box(), scatter(0.5f));
+    b.object(sphere(), emission(5.0f), at(0.0f, 0.0f, 3.0f)).visibility.ray_kinds = kinds;
+    b.ortho_camera(turned(90.0f, 0.0f, -5.0f, 0.0f), 1.0f);
+    const double seen = mean_of(render(std::move(b.scene))).value;
+    EXPECT_EQ(seen > 0.01, kinds == 0x3fu);
+    EXPECT_EQ(seen == 0.0, kinds != 0x3fu);
+  }
+}
+
+// A shadow ray that goes on behind a boundary ends at the light, close as that may be.
+TEST(MediaLightStatistics, LightCloseToTheBoundaryIsNotShadowedByItself) {
+  const auto picture = [](bool sampled) {
+    SceneBuilder b;
+    // Far from the origin, where rays start farther off the boundary.
+    b.object(box(), scatter(0.6f), at(0.0f, 0.0f, 50.0f));
+    b.object(sphere(), emission(20.0f), at(0.0f, 0.0f, 51.6f, 0.3f));
+    b.scene.materials.back().sample_as_light = sampled;
+    b.ortho_camera(turned(90.0f, 0.0f, -5.0f, 50.7f), 0.01f);
+    b.scene.settings.samples = sampled ? 1024 : 8192;
+    b.scene.settings.volume_bounces = 0;
+    return mean_of(render(std::move(b.scene)));
+  };
+  const Mean sampled = picture(true), chance = picture(false);
+  EXPECT_LT(chance.error, 0.01 * chance.value);
+  EXPECT_NEAR(sampled.value, chance.value,
+              4.0 * std::hypot(sampled.error, chance.error) + 1e-3 * chance.value);
+}
+
 // Without anything in it a volume changes no bit of the picture.
 TEST(MediaLight, EmptyVolumeLeavesThePictureAsItIs) {
   const auto picture = [](bool with_volume) {

@@ -136,6 +136,37 @@ TEST(MediaStatistics, GradedSlabIsTheIntegralOfItsDensity) {
   EXPECT_NEAR(cube.value, std::exp(-2.0), 4.0 * cube.error + 0.002 * std::exp(-2.0));
 }
 
+// Whatever is typed into a socket, and whatever the mesh: finite samples, and an end.
+TEST(Media, ExtremesStayFinite) {
+  const NodeGraph graphs[] = {
+      scatter(1e30f, 0.9999f),
+      scatter(1e10f, -5.0f),
+      scatter(1e-30f),
+      absorption(1e20f),
+      volume("ShaderNodeVolumeScatter",
+             {{"Color", {1e9f, 0.0f, -1.0f, 1.0f}}, {"Density", {1e9f}}, {"Anisotropy", {1.0f}}}),
+      volume("ShaderNodeVolumePrincipled", {{"Density", {1e-6f}},
+                                            {"Emission Strength", {1e20f}},
+                                            {"Blackbody Intensity", {1e9f}},
+                                            {"Temperature", {1e9f}}}),
+  };
+  for (const NodeGraph& graph : graphs) {
+    SceneBuilder b;
+    b.world(1.0f).ortho_camera(at(0.0f, 0.0f, 1.0f), 2.5f);  // on the boundary
+    b.object(box(), graph);
+    b.object(square(), graph, turned(30.0f, 0.3f, 0.0f, 0.2f));    // not closed
+    b.object(box(), graph, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0});  // flat
+    b.lamp("POINT", 10.0f, at(0.1f, 0.1f, 0.5f)).radius = 0.0f;
+    b.lamp("POINT", 10.0f, at(0.5f, 0.1f, 0.5f)).radius = 0.1f;
+    b.scene.settings.samples = 4;
+    RenderSession session(std::move(b.scene));
+    session.start();
+    ASSERT_TRUE(session.wait(60.0));
+    EXPECT_EQ(session.error(), "");
+    EXPECT_EQ(session.progress().dropped_samples, 0u) << graph.name;  // those not finite
+  }
+}
+
 // What scatters everything and absorbs nothing cannot be seen in a uniform world.
 struct FurnaceCase {
   const char* name;

@@ -39,6 +39,12 @@ _ENTRY_WORDS = {'REFLECTION': "reflects", 'TRANSMISSION': "lets light through",
 _OBJECTS_PER_BREAK_TEST = 64
 
 
+def _is_smoke(obj):
+    """Whether the object is the domain of a gas simulation: its mesh is but the box around it."""
+    return any(m.type == 'FLUID' and m.fluid_type == 'DOMAIN' and m.show_render
+               and m.domain_settings.domain_type == 'GAS' for m in obj.modifiers)
+
+
 class _Template(NamedTuple):
     """What all instances of one object by one instancer share.
 
@@ -127,6 +133,10 @@ class _Walker:
         context = self._context
         worlds, kinds = self._visibility(instance, obj)
         if not worlds or not kinds or not context.view_layer.use_solid:
+            return _NOTHING
+        if _is_smoke(obj):
+            # Its box filled with the same density all over would hide what lies in it.
+            self._report_once(obj.name, "Simulated smoke and fire are not rendered")
             return _NOTHING
         tags = self._tags_of(instance, obj)
         front, behind = self._materials(obj, tags)
