@@ -4,6 +4,7 @@
 import bpy
 import parts
 import shapes
+from mathutils import Euler, Vector
 from parts import degrees
 
 
@@ -29,20 +30,17 @@ def afternoon_light():
     parts.keep_on_this_side(window, sun)
 
 
-def window_bars(centre):
+def window_bars(centre, turn=-51.0):
     """A sash between sun and table, out of the picture: it throws its cross on wall and table."""
     wood = parts.diffuse("Sash", (0.5, 0.5, 0.5))
-    turn = degrees(0, 0, -51)
+    facing = degrees(0, 0, turn)
+    along = Euler(facing).to_matrix() @ Vector((1.0, 0.0, 0.0))
     made = []
     for k in range(-2, 3):
-        bar = shapes.box("Sash bar", (0.055, 0.01, 1.5), wood, location=centre, rotation=turn)
-        bar.location.x += 0.24 * k * 0.63
-        bar.location.y -= 0.24 * k * 0.78
-        made.append(bar)
-    for k in range(-2, 3):
-        bar = shapes.box("Sash bar", (1.6, 0.01, 0.05), wood, location=centre, rotation=turn)
-        bar.location.z += 0.20 * k
-        made.append(bar)
+        made.append(shapes.box("Sash bar", (0.055, 0.01, 1.5), wood, rotation=facing,
+                               location=Vector(centre) + 0.24 * k * along))
+        made.append(shapes.box("Sash bar", (1.6, 0.01, 0.05), wood, rotation=facing,
+                               location=Vector(centre) + Vector((0.0, 0.0, 0.20 * k))))
     for bar in made:
         bar.visible_camera = False
     parts.keep_on_this_side(*made)
