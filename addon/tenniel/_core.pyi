@@ -82,6 +82,7 @@ class InstanceDesc:
     name: str
     mesh: int
     object_to_world: Sequence[float]
+    motion: Sequence[Sequence[float]]  # matrices, equally far apart over the shutter; or empty
     worlds: int  # bit w: exists in world w (0 this side, 1..4 dreams)
     ray_kinds: int  # bits 0 camera, 1 diffuse, 2 glossy, 3 transmission, 4 volume scatter, 5 shadow
     dream: int  # looking glass of this dream; 0 = none
@@ -155,6 +156,7 @@ class ImageDesc:
 class CameraDesc:
     type: str  # PERSP, ORTHO, PANO
     camera_to_world: Sequence[float]
+    motion: Sequence[Sequence[float]]
     lens: float  # mm
     sensor_width: float
     sensor_height: float

@@ -224,7 +224,7 @@ class TENNIEL_OT_clear_mirror_tags(_SelectionOperator, Operator):
 
     def change(self, obj):
         for name in obj.tenniel.bl_rna.properties.keys():
-            if name not in {'rna_type', 'name'}:
+            if name not in {'rna_type', 'name', 'use_motion_blur', 'motion_steps'}:
                 obj.tenniel.property_unset(name)
         for name in (mirror_tags.LOOKING_GLASS_PROPERTY, mirror_tags.BEHIND_MIRROR_PROPERTY):
             if name in obj:

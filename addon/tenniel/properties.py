@@ -49,6 +49,12 @@ _DREAM_FLAGS = tuple(
     (str(number), str(number), f"Exists in dream {number}", 1 << (number - 1))
     for number in range(1, MAX_DREAMS + 1))
 
+_SHUTTER_POSITIONS = (
+    ('START', "Start on Frame", "The shutter opens at the frame"),
+    ('CENTER', "Center on Frame", "The shutter is open around the frame"),
+    ('END', "End on Frame", "The shutter closes at the frame"),
+)
+
 _MIRROR_VIEWS = (
     ('AS_RENDERED', "As Rendered", "Looking glasses show their dreams"),
     ('THIS_SIDE', "This Side", "Looking glasses are ordinary mirrors"),
@@ -145,6 +151,10 @@ class TennielSceneSettings(PropertyGroup):
         name="Width", min=0.01, max=10.0, default=1.5, subtype='PIXEL',
         description="Width of the filter in pixels; the box filter is always one pixel wide")
 
+    motion_blur_position: EnumProperty(
+        name="Position", items=_SHUTTER_POSITIONS, default='CENTER',
+        description="When the shutter is open with respect to the frame")
+
     dreams: CollectionProperty(
         name="Dreams", type=TennielDream,
         description=f"Worlds behind the looking glasses, at most {MAX_DREAMS}")
@@ -155,6 +165,13 @@ class TennielSceneSettings(PropertyGroup):
 
 
 class TennielObjectSettings(PropertyGroup):
+    use_motion_blur: BoolProperty(
+        name="Motion Blur", default=True, override={'LIBRARY_OVERRIDABLE'},
+        description="Blur this object where it moves while the shutter is open")
+    motion_steps: IntProperty(
+        name="Steps", min=1, max=7, default=1, override={'LIBRARY_OVERRIDABLE'},
+        description="How finely its way is followed: 1 looks at three times of the shutter, each "
+                    "more at twice as many")
     looking_glass: BoolProperty(
         name="Looking Glass", default=False, override={'LIBRARY_OVERRIDABLE'},
         description="This surface shows a dream: the world behind the mirror")

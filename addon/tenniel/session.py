@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One final render: export, start, pictures out, cancel in."""
 
+import math
 import signal
 import struct
 import threading
@@ -9,7 +10,7 @@ import time
 import bpy
 
 from . import native, reports
-from .export import Cancelled, View, export_scene
+from .export import Cancelled, View, export_scene, motion
 from .export.camera import FromObject
 from .passes import PassWriter, add_passes
 
@@ -131,13 +132,37 @@ class FinalRender:
         view = View(engine.resolution_x, engine.resolution_y,
                     border_rectangle(self._depsgraph.scene_eval.render, engine.resolution_x,
                                      engine.resolution_y, width, height))
-        description = export_scene(core, self._depsgraph, view, FromObject(engine), self._stopped)
+        description = self._export(core, view)
         self._writer = PassWriter(core, width, height)
         self._session = core.RenderSession(description)
         del description
         # Blender's copy of the scene is not needed any more while there is nothing to draw.
         self._depsgraph = None
         self._session.start()
+
+    def _export(self, core, view):
+        """Describes the scene; with motion blur as it is in the middle of the shutter."""
+        engine, depsgraph = self._engine, self._depsgraph
+        scene = depsgraph.scene
+        shutter = motion.shutter_of(scene)
+        if shutter is None:
+            return export_scene(core, depsgraph, view, FromObject(engine), self._stopped)
+        frame, subframe = scene.frame_current, scene.frame_subframe
+        try:
+            moves = motion.Motion(depsgraph.scene_eval, shutter)
+            for time_of_step in moves.times:
+                self._go_to(time_of_step)
+                moves.record(depsgraph, FromObject(engine).matrix(depsgraph.scene_eval))
+                if self._stopped():
+                    raise Cancelled()
+            self._go_to(shutter.middle)
+            return export_scene(core, depsgraph, view, FromObject(engine), self._stopped, moves)
+        finally:
+            engine.frame_set(frame, subframe)
+
+    def _go_to(self, frame):
+        whole = math.floor(frame)
+        self._engine.frame_set(whole, frame - whole)
 
     def _stopped(self):
         return bool(self._signals.name) or self._engine.test_break()

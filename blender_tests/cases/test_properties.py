@@ -32,11 +32,14 @@ SCENE_DEFAULTS = {
     'film_exposure': 1.0,
     'pixel_filter_type': 'BLACKMAN_HARRIS',
     'filter_width': 1.5,
+    'motion_blur_position': 'CENTER',
     'active_dream_index': 0,
     'mirror_view': 'AS_RENDERED',
 }
 
 OBJECT_DEFAULTS = {
+    'use_motion_blur': True,
+    'motion_steps': 1,
     'looking_glass': False,
     'dream': 1,
     'entry': 'REFLECTION',

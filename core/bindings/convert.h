@@ -127,6 +127,23 @@ struct Convert<std::vector<int>> {
   }
 };
 
+template <size_t N>
+struct Convert<std::vector<std::array<float, N>>> {
+  using Item = std::array<float, N>;
+  static std::vector<Item> from_python(py::handle value, FieldName field) {
+    std::vector<Item> result;
+    for (const py::handle item : items_from_python(value, field, "a sequence of sequences"))
+      result.push_back(Convert<Item>::from_python(item, field));
+    return result;
+  }
+  static py::list to_python(const std::vector<Item>& value) {
+    py::list result;
+    for (const Item& item : value)
+      result.append(Convert<Item>::to_python(item));
+    return result;
+  }
+};
+
 // Lists of classes that are bound by themselves: copies in both directions.
 template <class T>
 requires std::is_class_v<T>

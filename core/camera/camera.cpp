@@ -152,13 +152,15 @@ ScreenWindow window_around_shift(const BlenderSensor& sensor, const Fit& fit, fl
 
 }  // namespace
 
-std::optional<CameraRay> Camera::sample_ray(Vec2 raster, Vec2 lens_u) const {
+std::optional<CameraRay> Camera::sample_ray(Vec2 raster, Vec2 lens_u, float time) const {
   const Vec2 at{raster.x / static_cast<float>(width), raster.y / static_cast<float>(height)};
   const LocalRay local =
       std::visit([&](const auto& l) { return local_ray(l, *this, at, lens_u); }, lens);
+  const Transform place = motion.empty() ? camera_to_world : place_at(motion, time);
   CameraRay result;
-  result.ray.origin = camera_to_world.point(local.origin);
-  result.ray.direction = normalize(camera_to_world.vector(local.direction));
+  result.ray.origin = place.point(local.origin);
+  result.ray.direction = normalize(place.vector(local.direction));
+  result.ray.time = time;
   result.ray.t_min = local.t_min;
   result.ray.t_max = local.t_max;
   result.cone = local.cone;

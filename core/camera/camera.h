@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "math/ray.h"
 #include "math/transform.h"
@@ -48,14 +49,15 @@ struct CameraRay {
 struct Camera {
   Transform camera_to_world;  // orthonormal: the object's scale is ignored
   Transform world_to_camera;
+  std::vector<Transform> motion;  // see `place_at`; empty: it rests
   Lens lens;
   Aperture aperture;
   float clip_start = 0.1f, clip_end = 1000.0f;  // metres along the view axis
   int width = 1, height = 1;                    // of the whole picture in pixels
 
-  // `raster` in pixels, (0, 0) the lower left corner; `lens_u` in [0,1)^2. Empty where the lens has
-  // no image (outside a fisheye).
-  std::optional<CameraRay> sample_ray(Vec2 raster, Vec2 lens_u) const;
+  // `raster` in pixels, (0, 0) the lower left corner; `lens_u` in [0,1)^2, `time` over the
+  // shutter. Empty where the lens has no image (outside a fisheye).
+  std::optional<CameraRay> sample_ray(Vec2 raster, Vec2 lens_u, float time = 0.0f) const;
   // World point to [0, 1]^2 of the picture (Texture Coordinate, Window).
   Vec2 to_window(Vec3 world_point) const;
   // What the Depth pass holds: distance along the view axis, or from the camera for a panorama.

@@ -16,6 +16,8 @@ namespace {
 // Embree's own bound of coordinates is 1.844e18; Debian's build asserts it for rays.
 constexpr float k_largest = 1e18f;
 
+constexpr size_t k_max_time_steps = 129;  // Embree's limit
+
 // No ray kind of any world has this bit: every geometry does, for queries of one instance.
 constexpr uint32_t k_any_kind = 1u << 31;
 
@@ -38,7 +40,8 @@ bool is_usable(const Ray& ray) {
 
 bool is_usable(const Instance& instance) {
   const float determinant = instance.object_to_world.determinant();
-  return is_finite(instance.object_to_world) && is_finite(instance.world_to_object) &&
+  return instance.motion.size() <= k_max_time_steps && is_finite(instance.object_to_world) &&
+         is_finite(instance.world_to_object) &&
          std::abs(determinant) > std::numeric_limits<float>::min();
 }
 
@@ -51,7 +54,7 @@ RTCRay to_embree(const Ray& ray, uint32_t mask) {
   r.dir_x = ray.direction.x;
   r.dir_y = ray.direction.y;
   r.dir_z = ray.direction.z;
-  r.time = 0.0f;
+  r.time = ray.time;
   r.tfar = ray.t_max;
   r.mask = mask;
   r.id = 0;
@@ -203,8 +206,12 @@ void Accel::State::attach(const Instance& instance, uint32_t index, const Mesh& 
     geometry.reset(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
     check();
     rtcSetGeometryInstancedScene(geometry.get(), inner);
-    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                            &instance.object_to_world);
+    const auto& motion = instance.motion;
+    const size_t steps = std::max<size_t>(motion.size(), 1);
+    rtcSetGeometryTimeStepCount(geometry.get(), static_cast<unsigned>(steps));
+    for (unsigned i = 0; i < steps; ++i)
+      rtcSetGeometryTransform(geometry.get(), i, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                              motion.empty() ? &instance.object_to_world : &motion[i]);
     instance_scenes[index] = inner;
     world_to_object[index] = instance.world_to_object;
   }

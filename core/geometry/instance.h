@@ -27,8 +27,9 @@ struct LookingGlass {
 // One placed mesh: an object, or one instance that an instancer made of it.
 struct Instance {
   std::string name;
-  uint32_t mesh = 0;  // index into the scene's meshes
-  Transform object_to_world, world_to_object;
+  uint32_t mesh = 0;                           // index into the scene's meshes
+  Transform object_to_world, world_to_object;  // in the middle of the shutter
+  std::vector<Transform> motion;               // see `place_at`; empty: it rests
   Visibility visibility;
   LookingGlass looking_glass;
   std::vector<uint32_t> materials;         // per slot, on this side
@@ -45,6 +46,13 @@ struct Instance {
   int light = -1;  // index of its mesh light; -1 = none is sampled
   // Values of `Attribute` nodes of type Object / Instancer / View Layer: 4 floats per id.
   std::vector<std::pair<int, std::array<float, 4>>> object_attributes;
+
+  Transform object_to_world_at(float time) const {
+    return motion.empty() ? object_to_world : place_at(motion, time);
+  }
+  Transform world_to_object_at(float time) const {
+    return motion.empty() ? world_to_object : place_at(motion, time).inverse();
+  }
 
   uint32_t material(int slot, WorldIndex world) const {
     const auto& list = world == 0 ? materials : behind_materials;

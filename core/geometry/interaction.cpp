@@ -48,7 +48,7 @@ Vec3 place_on_triangle(SurfaceInteraction& at) {
     at.position = p0 + inside;
     at.corner_points[0] = p0;
   } else {
-    const Transform& m = at.instance->object_to_world;
+    const Transform m = at.object_to_world();
     at.position = m.point(p0 + inside);
     at.corner_points[0] = m.point(p0);
     edge_1 = m.vector(edge_1);
@@ -68,6 +68,7 @@ SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instan
   SurfaceInteraction at;
   at.wo = -ray.direction;
   at.t = hit.t;
+  at.time = ray.time;
   at.footprint = footprint;
   at.instance = &instance;
   at.mesh = &mesh;
@@ -88,7 +89,7 @@ SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instan
   const CornerNormals normals = smooth_normals(at);
   if (normals.a != nullptr) {
     Vec3 n = weighted(at.weights, *normals.a, *normals.b, *normals.c);
-    if (!mesh.is_world_space) n = instance.world_to_object.transposed_vector(n);
+    if (!mesh.is_world_space) n = at.world_to_object().transposed_vector(n);
     n = normalize_or(n, front);
     at.shading_normal = at.is_back_facing ? -n : n;
   }
@@ -154,10 +155,9 @@ SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset) {
 }
 
 Vec3 interpolated_object_normal(const SurfaceInteraction& at) {
-  const Instance& instance = *at.instance;
   // World to object: the transposed map undoes the inverse transposed one.
-  const auto to_object = [&instance](Vec3 n) {
-    return normalize_or(instance.object_to_world.transposed_vector(n), {});
+  const auto to_object = [map = at.object_to_world()](Vec3 n) {
+    return normalize_or(map.transposed_vector(n), {});
   };
   const CornerNormals normals = smooth_normals(at);
   if (normals.a == nullptr)
@@ -166,8 +166,8 @@ Vec3 interpolated_object_normal(const SurfaceInteraction& at) {
   return weighted(at.weights, to_object(*normals.a), to_object(*normals.b), to_object(*normals.c));
 }
 
-Vec3 normal_to_world(const Instance& instance, Vec3 normal) {
-  return normalize_or(instance.world_to_object.transposed_vector(normal), {0.0f, 0.0f, 1.0f});
+Vec3 normal_to_world(const SurfaceInteraction& at, Vec3 normal) {
+  return normalize_or(at.world_to_object().transposed_vector(normal), {0.0f, 0.0f, 1.0f});
 }
 
 Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
@@ -187,7 +187,7 @@ Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
 Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction) {
   Vec3 origin = offset_ray_origin(at.position, at.geometric_normal, direction);
   if (at.mesh->is_world_space) return origin;
-  const Vec3 t = at.instance->object_to_world.translation;
+  const Vec3 t = at.object_to_world().translation;
   const float size = std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});
   return origin + face_forward(at.geometric_normal, direction) * (size * k_unit_roundoff_steps);
 }

@@ -28,6 +28,7 @@ struct SurfaceInteraction {
   Vec3 shading_normal;    // unit, interpolated, turned with the geometric normal
   bool is_back_facing = false;
   float t = 0.0f;          // length of the ray that came here
+  float time = 0.0f;       // of that ray
   float footprint = 0.0f;  // metres: radius of the ray cone here
   const Instance* instance = nullptr;
   const Mesh* mesh = nullptr;
@@ -43,6 +44,10 @@ struct SurfaceInteraction {
   std::array<uint32_t, 3> corners() const {
     return half_of(&mesh->face_corners[face * mesh->stride()], mesh->stride(), is_second_half);
   }
+
+  // Of the instance, at the ray's time.
+  Transform object_to_world() const { return instance->object_to_world_at(time); }
+  Transform world_to_object() const { return instance->world_to_object_at(time); }
 };
 
 // `hit` comes from `ray`; `mesh` is the mesh of `instance`.
@@ -65,7 +70,7 @@ SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset);
 // Smooth normal in object space before any flip, not normalised; for tangent-space normal maps.
 Vec3 interpolated_object_normal(const SurfaceInteraction& at);
 // Object-space normal to world space, unit.
-Vec3 normal_to_world(const Instance& instance, Vec3 normal);
+Vec3 normal_to_world(const SurfaceInteraction& at, Vec3 normal);
 
 // Start of a ray that leaves `position` toward `direction`, moved off the surface by the error
 // bound of the intersection (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding

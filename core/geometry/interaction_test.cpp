@@ -74,7 +74,7 @@ TEST(MakeInteraction, NormalsFollowTheTransform) {
           EXPECT_EQ(at->is_back_facing, !from_outside);
           EXPECT_GT(dot(at->geometric_normal, at->wo), 0.0f);
           EXPECT_NEAR(length(at->geometric_normal), 1.0f, 1e-5f);
-          const Vec3 smooth = normal_to_world(placed.instances[0], on_sphere);
+          const Vec3 smooth = normal_to_world(*at, on_sphere);
           const Vec3 expected = from_outside ? smooth : -smooth;
           EXPECT_NEAR(distance(at->shading_normal, expected), 0.0f, 0.03f);
           EXPECT_NEAR(distance(normalize(interpolated_object_normal(*at)), on_sphere), 0.0f, 0.03f);

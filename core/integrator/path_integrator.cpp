@@ -63,7 +63,9 @@ class PathTracer {
 
 bool PathTracer::start(Vec2 raster) {
   worker_.sampler.set_dimension(PathIntegrator::k_caller_dimensions);
-  const auto camera_ray = scene_.camera.sample_ray(raster, worker_.sampler.get_2d());
+  const Vec2 lens_u = worker_.sampler.get_2d();
+  const float time = scene_.has_motion ? worker_.sampler.get_1d() : 0.0f;
+  const auto camera_ray = scene_.camera.sample_ray(raster, lens_u, time);
   if (!camera_ray) return false;
   state_.ray = camera_ray->ray;
   state_.cone = camera_ray->cone;
@@ -240,9 +242,12 @@ void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint&
     if (!is_black(radiance))
       add(radiance, state_.info.ray_depth, state_.has_entered || group.enters);
   };
-  if (!(smooth & groups.keeping.lobes).empty())
-    add_group(groups.keeping, {numbers_.light, numbers_.on_light});
+  const bool keeps = !(smooth & groups.keeping.lobes).empty();
+  const LightNumbers of_vertex{numbers_.light, numbers_.on_light};
+  if (keeps) add_group(groups.keeping, of_vertex);
   if ((smooth & groups.entering.lobes).empty()) return;
+  // A glass whose lobes all enter is an ordinary mirror, number for number.
+  if (!keeps) return add_group(groups.entering, of_vertex);
   const float choice = worker_.sampler.get_1d();
   add_group(groups.entering, {choice, worker_.sampler.get_2d()});
 }

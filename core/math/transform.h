@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "math/vec.h"
 
@@ -34,6 +36,19 @@ constexpr Transform operator*(const Transform& a, const Transform& b) {
 
 constexpr bool operator==(const Transform& a, const Transform& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z && a.translation == b.translation;
+}
+
+constexpr Transform lerp(const Transform& a, const Transform& b, float t) {
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
+          a.translation + (b.translation - a.translation) * t};
+}
+
+// Where something is during the shutter: at `steps`, which are equally far apart in time, and
+// between them on a straight line, as Embree has it. Two steps at least.
+inline Transform place_at(const std::vector<Transform>& steps, float time) {
+  const float position = std::clamp(time, 0.0f, 1.0f) * static_cast<float>(steps.size() - 1);
+  const size_t first = std::min(static_cast<size_t>(position), steps.size() - 2);
+  return lerp(steps[first], steps[first + 1], position - static_cast<float>(first));
 }
 
 inline bool is_finite(const Transform& t) {

@@ -153,6 +153,7 @@ Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t ma
   instance.mesh = static_cast<uint32_t>(desc.mesh);
   instance.object_to_world = Transform::from_rows(desc.object_to_world);
   instance.world_to_object = instance.object_to_world.inverse();
+  instance.motion = motion_from(desc.motion);
   instance.visibility = Visibility::from_sets(desc.visibility.worlds, desc.visibility.ray_kinds);
   instance.looking_glass = looking_glass_from(desc.looking_glass);
   instance.materials = material_list(desc.materials, material_count);
@@ -228,13 +229,14 @@ void SceneCompiler::compile_geometry() {
     meshes[i] = MeshDesc();
     // A mesh that only one instance uses joins the top level of the acceleration structure.
     const Instance& user = scene.instances[only_user[i]];
-    if (users[i] == 1 && user.object_to_world.determinant() != 0.0f)
+    if (users[i] == 1 && user.motion.empty() && user.object_to_world.determinant() != 0.0f)
       move_to_world_space(mesh, user.object_to_world);
   });
   if (is_cancelled()) return;
 
   for (const Instance& instance : scene.instances) {
     if (instance.looking_glass.dream > 0) scene.has_looking_glasses = true;
+    if (!instance.motion.empty()) scene.has_motion = true;
     for (const auto* list : {&instance.materials, &instance.behind_materials}) {
       for (const uint32_t m : *list) {
         const Material& material = scene.materials[m];

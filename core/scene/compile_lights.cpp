@@ -135,6 +135,8 @@ void SceneCompiler::compile_lights() {
 
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     Instance& instance = scene.instances[i];
+    // What moves is met by chance: the places where it could be sampled belong to one time only.
+    if (!instance.motion.empty()) continue;
     const Mesh& mesh = scene.meshes[instance.mesh];
     std::vector<float> emission(instance.materials.size(), 0.0f);
     for (size_t slot = 0; slot < emission.size(); ++slot)
@@ -186,9 +188,7 @@ EnvironmentLight SceneCompiler::baked_environment(WorldIndex w, ShadingContext& 
       desc.sampling == "MANUAL" ? std::clamp(desc.map_resolution / 2, 4, 4096) : auto_height;
   const PathInfo path{RayKind::diffuse, w, false, true, 1, 1, 0, 0, 0};
   return EnvironmentLight(
-      [&](Vec3 direction) {
-        return background_radiance(scene, world, direction, path, context);
-      },
+      [&](Vec3 direction) { return background_radiance(scene, world, direction, path, context); },
       2 * height, height, suns.size() == 1 ? std::optional<SunDisk>(suns.front()) : std::nullopt);
 }
 

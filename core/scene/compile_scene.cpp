@@ -28,6 +28,17 @@ Vec2 window_of(const void* camera, Vec3 world_point) {
 
 }  // namespace
 
+std::vector<Transform> motion_from(const std::vector<Matrix34>& steps) {
+  constexpr size_t k_max_steps = 129;
+  std::vector<Transform> motion;
+  for (const Matrix34& step : steps)
+    motion.push_back(Transform::from_rows(step));
+  const auto finite = [](const Transform& t) { return is_finite(t); };
+  const bool is_usable = motion.size() > 1 && motion.size() <= k_max_steps &&
+                         std::all_of(motion.begin(), motion.end(), finite);
+  return is_usable ? motion : std::vector<Transform>();
+}
+
 size_t SceneCompiler::worlds_in_use() const {
   const auto is_glass = [](const InstanceDesc& i) { return i.looking_glass.dream > 0; };
   const bool leaves =
@@ -44,6 +55,9 @@ void SceneCompiler::compile_camera() {
   Camera& camera = scene.camera;
   camera.camera_to_world = without_scale(matrix);
   camera.world_to_camera = camera.camera_to_world.inverse();
+  for (const Transform& step : motion_from(desc.motion))
+    camera.motion.push_back(without_scale(step));
+  if (!camera.motion.empty()) scene.has_motion = true;
   camera.width = std::max(settings.width, 1);
   camera.height = std::max(settings.height, 1);
   camera.clip_start = std::max(desc.clip_start, 1e-6f);

@@ -22,6 +22,9 @@ struct CompileControl {
 std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnostics& diagnostics,
                                            const CompileControl& control);
 
+// Steps of a motion during the shutter; none where one of them is not a number.
+std::vector<Transform> motion_from(const std::vector<Matrix34>& steps);
+
 // Stages of compile_scene, in this order, one file each.
 struct SceneCompiler {
   SceneDescription& description;

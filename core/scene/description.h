@@ -69,6 +69,8 @@ struct InstanceDesc {
   std::string name;
   int mesh = -1;
   Matrix34 object_to_world = k_identity34;
+  // Where it is at 2 to 129 times, equally far apart over the shutter; empty: it rests.
+  std::vector<Matrix34> motion;
   VisibilityDesc visibility;
   LookingGlassDesc looking_glass;
   std::vector<int> materials;         // per slot; -1 = Blender's default material
@@ -143,6 +145,7 @@ struct ImageDesc {
 struct CameraDesc {
   std::string type = "PERSP";  // PERSP, ORTHO, PANO (equirectangular)
   Matrix34 camera_to_world = k_identity34;
+  std::vector<Matrix34> motion;                                     // as of an instance
   float lens = 50.0f, sensor_width = 36.0f, sensor_height = 24.0f;  // mm
   std::string sensor_fit = "AUTO";
   float shift_x = 0.0f, shift_y = 0.0f;

@@ -51,7 +51,8 @@ struct Scene final : RayQueries {
   bool has_transparent_shadows = false;
   bool has_emissive_surfaces = false;
   bool has_looking_glasses = false;
-  bool has_media = false;  // or boundaries of such; else no ray looks for any
+  bool has_motion = false;  // something moves while the shutter is open
+  bool has_media = false;   // or boundaries of such; else no ray looks for any
   bool has_emissive_media = false;
   size_t register_count = 0;  // the most any program needs
 

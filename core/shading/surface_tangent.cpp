@@ -10,7 +10,8 @@ namespace tenniel {
 Vec3 generated_coordinates(const SurfaceInteraction& surface) {
   if (!surface.instance) return surface.position;
   const Instance& instance = *surface.instance;
-  const Vec3 p = instance.world_to_object.point(surface.position) - instance.texture_space_location;
+  const Vec3 p =
+      surface.world_to_object().point(surface.position) - instance.texture_space_location;
   const Vec3 size = instance.texture_space_size;
   const auto scaled = [](float x, float half) { return safe_divide(x, 2.0f * half) + 0.5f; };
   return {scaled(p.x, size.x), scaled(p.y, size.y), scaled(p.z, size.z)};
@@ -19,7 +20,7 @@ Vec3 generated_coordinates(const SurfaceInteraction& surface) {
 Vec3 surface_tangent(const SurfaceInteraction& surface, Vec3 normal) {
   const Vec3 g = generated_coordinates(surface);
   const Vec3 around{-(g.y - 0.5f), g.x - 0.5f, 0.0f};
-  const Vec3 world = surface.instance ? normal_to_world(*surface.instance, around) : around;
+  const Vec3 world = surface.instance ? normal_to_world(surface, around) : around;
   return cross(normal, normalize_or(cross(world, normal), {}));
 }
 

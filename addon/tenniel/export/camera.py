@@ -18,6 +18,11 @@ class FromObject:
     def __init__(self, engine):
         self._engine = engine
 
+    def matrix(self, scene):
+        """Where the camera is, or None without one."""
+        obj = self._engine.camera_override or scene.camera
+        return self._engine.camera_model_matrix(obj).copy() if obj else None
+
     def export(self, context):
         """CameraDesc; raises ExportError without a camera."""
         obj = self._engine.camera_override or context.scene.camera

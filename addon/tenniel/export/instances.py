@@ -121,6 +121,8 @@ class _Walker:
             return
         desc.object_to_world = matrix_rows(instance.matrix_world)
         desc.random = _random(instance, obj)
+        if self._context.motion is not None:
+            desc.motion = self._context.motion.of_instance(instance)
         if instance.is_instance:
             # Cycles hands these coordinates to shaders halved and shifted.
             desc.generated = tuple(0.5 * x - 0.5 for x in instance.orco)

@@ -111,6 +111,21 @@ class TENNIEL_OBJECT_PT_visibility(ObjectPanel, Panel):
             column.column(heading="Mask").prop(obj, 'is_holdout')
 
 
+class TENNIEL_OBJECT_PT_motion_blur(ObjectPanel, Panel):
+    bl_label = "Motion Blur"
+    bl_options = {'DEFAULT_CLOSED'}
+    object_types = _SURFACE_TYPES | {'EMPTY'}
+
+    def draw_header(self, context):
+        self.layout.prop(context.object.tenniel, 'use_motion_blur', text="")
+
+    def draw(self, context):
+        column = property_column(self.layout)
+        column.active = (context.scene.render.use_motion_blur
+                         and context.object.tenniel.use_motion_blur)
+        column.prop(context.object.tenniel, 'motion_steps')
+
+
 class TENNIEL_OBJECT_PT_ray_visibility(ObjectPanel, Panel):
     bl_label = "Ray Visibility"
     bl_parent_id = 'TENNIEL_OBJECT_PT_visibility'
@@ -128,6 +143,7 @@ _CLASSES = (
     TENNIEL_OBJECT_PT_looking_glass,
     TENNIEL_OBJECT_PT_visibility,
     TENNIEL_OBJECT_PT_ray_visibility,
+    TENNIEL_OBJECT_PT_motion_blur,
 )
 
 

@@ -104,6 +104,20 @@ class TENNIEL_RENDER_PT_light_paths_caustics(RenderPanel, Panel):
         switches.prop(settings, 'caustics_refractive')
 
 
+class TENNIEL_RENDER_PT_motion_blur(RenderPanel, Panel):
+    bl_label = "Motion Blur"
+    bl_options = {'DEFAULT_CLOSED'}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.render, 'use_motion_blur', text="")
+
+    def draw(self, context):
+        column = property_column(self.layout)
+        column.active = context.scene.render.use_motion_blur
+        column.prop(context.scene.tenniel, 'motion_blur_position')
+        column.prop(context.scene.render, 'motion_blur_shutter')
+
+
 class TENNIEL_RENDER_PT_film(RenderPanel, Panel):
     bl_label = "Film"
     bl_options = {'DEFAULT_CLOSED'}
@@ -196,6 +210,7 @@ _CLASSES = (
     TENNIEL_RENDER_PT_light_paths_max_bounces,
     TENNIEL_RENDER_PT_light_paths_clamping,
     TENNIEL_RENDER_PT_light_paths_caustics,
+    TENNIEL_RENDER_PT_motion_blur,
     TENNIEL_RENDER_PT_film,
     TENNIEL_RENDER_PT_performance,
     TENNIEL_RENDER_PT_simplify,

@@ -56,7 +56,7 @@ Vec3 raised(const SurfaceInteraction& surface, Vec3 normal) {
 
 // A vector of object space that must turn as the normal does, back in object space.
 Vec3 object_normal(const SurfaceInteraction& surface, Vec3 normal) {
-  return normalize_or(surface.instance->object_to_world.transposed_vector(normal), normal);
+  return normalize_or(surface.object_to_world().transposed_vector(normal), normal);
 }
 
 }  // namespace
@@ -89,14 +89,13 @@ Vec3 NormalMapNode::mapped(const SurfaceInteraction& surface, Vec3 encoded) cons
     const auto t = interpolate(*along_u, surface);
     const Vec3 smooth = interpolated_object_normal(surface), x_axis{t[0], t[1], t[2]};
     const Vec3 y_axis = cross(smooth, x_axis) * interpolate(*sign, surface)[0];
-    return normal_to_world(*surface.instance,
-                           encoded.x * x_axis + encoded.y * y_axis + encoded.z * smooth);
+    return normal_to_world(surface, encoded.x * x_axis + encoded.y * y_axis + encoded.z * smooth);
   }
   const bool is_blender =
       space == NormalMapSpace::blender_object || space == NormalMapSpace::blender_world;
   if (is_blender) encoded = {encoded.x, -encoded.y, -encoded.z};
   const bool is_object = space == NormalMapSpace::object || space == NormalMapSpace::blender_object;
-  return is_object ? normal_to_world(*surface.instance, encoded) : encoded;
+  return is_object ? normal_to_world(surface, encoded) : encoded;
 }
 
 void NormalMapNode::eval(ShadingContext& context) const {
@@ -116,7 +115,7 @@ void DisplacementNode::eval(ShadingContext& context) const {
   const float amount = (context.get(height) - context.get(midlevel)) * context.get(scale);
   Vec3 along = context.normal(normal);
   if (space == DisplacementSpace::object && context.surface.instance)
-    along = context.surface.instance->object_to_world.vector(object_normal(context.surface, along));
+    along = context.surface.object_to_world().vector(object_normal(context.surface, along));
   context.set(result, along * amount);
 }
 
@@ -131,7 +130,8 @@ void VectorDisplacementNode::eval(ShadingContext& context) const {
     const Frame frame = Frame::from_normal(object_normal(context.surface, context.closure_normal));
     move = frame.x * move.x + frame.z * move.y + frame.y * move.z;
   }
-  if (space != DisplacementSpace::world && instance) move = instance->object_to_world.vector(move);
+  if (space != DisplacementSpace::world && instance)
+    move = context.surface.object_to_world().vector(move);
   context.set(result, move);
 }
 

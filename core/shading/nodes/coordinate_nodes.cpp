@@ -20,11 +20,10 @@ constexpr Vec3 flip_z(Vec3 v) {
 // World to object, from an object-space normal's sight: n_object = M^T n_world with M the map of
 // points from object to world.
 Vec3 normal_to_object(const ShadingContext& context, Vec3 normal) {
-  const Instance* instance = context.surface.instance;
-  const Transform* map = instance       ? &instance->object_to_world
-                         : context.lamp ? &context.lamp->object_to_world
-                                        : nullptr;
-  return map ? normalize_or(map->transposed_vector(normal), normal) : normal;
+  if (!context.surface.instance && !context.lamp) return normal;
+  const Transform map =
+      context.surface.instance ? context.surface.object_to_world() : context.lamp->object_to_world;
+  return normalize_or(map.transposed_vector(normal), normal);
 }
 
 struct TextureCoordinateNode {
@@ -67,8 +66,7 @@ struct TextureCoordinateNode {
       std::copy_n(object_transform.begin(), 12, rows.begin());
       return Transform::from_rows(rows).point(p);
     }
-    const Instance* instance = context.surface.instance;
-    return instance ? instance->world_to_object.point(p) : p;
+    return context.surface.instance ? context.surface.world_to_object().point(p) : p;
   }
 
   static Vec3 camera_of(const ShadingContext& context) {
@@ -124,9 +122,9 @@ struct VectorTransformNode {
   }
 
   Vec3 to_world(const ShadingContext& context, Vec3 v) const {
-    const Instance* instance = context.surface.instance;
-    if (convert_from == Space::object && instance)
-      return apply(instance->object_to_world, instance->world_to_object, v);
+    const SurfaceInteraction& surface = context.surface;
+    if (convert_from == Space::object && surface.instance)
+      return apply(surface.object_to_world(), surface.world_to_object(), v);
     if (convert_from == Space::camera && context.camera) {
       const Transform& map = context.camera->world_to_camera;
       return apply(map.inverse(), map, flip_z(v));
@@ -135,9 +133,9 @@ struct VectorTransformNode {
   }
 
   Vec3 from_world(const ShadingContext& context, Vec3 v) const {
-    const Instance* instance = context.surface.instance;
-    if (convert_to == Space::object && instance)
-      return apply(instance->world_to_object, instance->object_to_world, v);
+    const SurfaceInteraction& surface = context.surface;
+    if (convert_to == Space::object && surface.instance)
+      return apply(surface.world_to_object(), surface.object_to_world(), v);
     if (convert_to == Space::camera && context.camera) {
       const Transform& map = context.camera->world_to_camera;
       return flip_z(apply(map, map.inverse(), v));

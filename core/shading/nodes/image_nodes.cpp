@@ -53,8 +53,8 @@ struct ImageTextureNode {
 
   Rgba read_box(const ShadingContext& context, Vec3 p) const {
     Vec3 normal = context.surface.shading_normal;
-    if (const Instance* instance = context.surface.instance)
-      normal = instance->object_to_world.transposed_vector(normal);
+    if (context.surface.instance)
+      normal = context.surface.object_to_world().transposed_vector(normal);
     const Vec3 weights = box_weights(normal, projection_blend);
     Rgba sum{};
     for (int axis = 0; axis < 3; ++axis) {

@@ -86,7 +86,7 @@ struct TangentNode {
   void eval(ShadingContext& context) const {
     const SurfaceInteraction& surface = context.surface;
     const Vec3 along = object_direction(context);
-    const Vec3 world = surface.instance ? normal_to_world(*surface.instance, along) : along;
+    const Vec3 world = surface.instance ? normal_to_world(surface, along) : along;
     const Vec3 n = surface.shading_normal;
     context.set(tangent, cross(n, normalize_or(cross(world, n), {})));
   }
