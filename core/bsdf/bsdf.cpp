@@ -90,6 +90,7 @@ void Bsdf::drop_caustics(bool reflective, bool refractive) {
 
 void Bsdf::finish() {
   lobes_ = smooth_lobes_ = LobeSet::none();
+  has_stochastic_ = false;
   float total = 0.0f;
   for (int i = 0; i < count_; ++i) {
     Weighted& entry = entries_[static_cast<size_t>(i)];
@@ -104,6 +105,7 @@ void Bsdf::finish() {
     total += entry.probability;
     lobes_ = lobes_.with(entry.lobe_class);
     if (!entry.is_delta) smooth_lobes_ = smooth_lobes_.with(entry.lobe_class);
+    has_stochastic_ |= !entry.is_delta && is_stochastic(entry.lobe);
   }
   const float scale = total > 0.0f ? 1.0f / total : 0.0f;
   for (int i = 0; i < count_; ++i)
@@ -174,8 +176,9 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
     return s;
   }
   // The mixture of all lobes that reach this direction; the chosen one is not evaluated again.
-  Spectrum value = chosen->weight * local->weight * local->pdf;
-  if (chosen->is_bumped) value *= bump_shadowing(shading_normal_, chosen->frame.z, s.wi);
+  Spectrum own = chosen->weight * local->weight;
+  if (chosen->is_bumped) own *= bump_shadowing(shading_normal_, chosen->frame.z, s.wi);
+  Spectrum value = own * local->pdf;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     if (&entry == chosen || entry.is_delta || !reaches(entry.lobe_class, s.wi)) continue;
@@ -184,6 +187,8 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
     s.pdf += entry.probability * e.pdf;
   }
   s.weight = value / s.pdf;
+  // A mixture needs exact densities. Without them each lobe's samples carry that lobe alone.
+  if (has_stochastic_) s.weight = own * (1.0f / chosen->probability);
   return s;
 }
 

@@ -91,6 +91,7 @@ class Bsdf {
   std::array<Weighted, k_max_lobes + 1> entries_;
   int count_ = 0;
   LobeSet lobes_ = LobeSet::none(), smooth_lobes_ = LobeSet::none();
+  bool has_stochastic_ = false;
   Vec3 geometric_normal_, shading_normal_, wo_;
 };
 

@@ -9,6 +9,7 @@
 #include "bsdf/hair.h"
 #include "bsdf/microfacet_reflection.h"
 #include "bsdf/microfacet_refraction.h"
+#include "bsdf/multi_ggx.h"
 #include "bsdf/oren_nayar.h"
 #include "bsdf/principled_diffuse.h"
 #include "bsdf/sheen.h"
@@ -30,12 +31,18 @@ namespace tenniel {
 //   bool make_valid()             clamps the parameters to their range; false if not finite
 //   void widen(alpha)             roughness at least `alpha`; sharp and diffuse lobes stay
 // with directions in the lobe's frame (z = its normal, wo.z > 0).
-using Lobe =
-    std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent, Transparent,
-                 MicrofacetReflection, MicrofacetRefraction, Clearcoat, SpecularReflection,
-                 SpecularRefraction, Velvet, DiffuseToon, GlossyToon, HairLobe, AshikhminShirley>;
+using Lobe = std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent,
+                          Transparent, MicrofacetReflection, MicrofacetRefraction, Clearcoat,
+                          SpecularReflection, SpecularRefraction, Velvet, DiffuseToon, GlossyToon,
+                          HairLobe, AshikhminShirley, MultiGgxReflection, MultiGgxTransmission>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
+
+// Whether `eval` is an estimate and `pdf` is not the exact density of `sample`: see multi_ggx.h.
+inline bool is_stochastic(const Lobe& lobe) {
+  return std::holds_alternative<MultiGgxReflection>(lobe) ||
+         std::holds_alternative<MultiGgxTransmission>(lobe);
+}
 
 // `f` of whichever lobe this is. std::visit calls through a table, which the compiler does not see
 // through; the chain becomes a jump, and small lobes are inlined.

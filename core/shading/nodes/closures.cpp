@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bsdf/fresnel.h"
+#include "math/hash.h"
 #include "math/numeric.h"
 #include "shading/nodes/register.h"
 #include "shading/surface_tangent.h"
@@ -33,6 +34,14 @@ Microsurface microsurface(GlossyDistribution distribution, float alpha_x, float 
           alpha_x, alpha_y};
 }
 
+MultiScatter multi_scatter(const ShadingContext& context, Spectrum tint, float alpha_x,
+                           float alpha_y) {
+  MultiScatter scatter{alpha_x, alpha_y};
+  scatter.tint = tint;
+  scatter.seed = walk_seed(context.surface);
+  return scatter;
+}
+
 Lobe rough_reflection(GlossyDistribution distribution, float alpha_x, float alpha_y,
                       const Fresnel& fresnel = Fresnel::none()) {
   if (distribution == GlossyDistribution::ashikhmin_shirley)
@@ -59,6 +68,12 @@ Lobe refraction_lobe(GlossyDistribution distribution, float roughness, float eta
 
 }  // namespace
 
+uint32_t walk_seed(const SurfaceInteraction& surface) {
+  const Vec3 p = surface.position, d = surface.wo;
+  const uint32_t place = hash_uint(float_bits(p.x), float_bits(p.y), float_bits(p.z));
+  return hash_uint(place, float_bits(d.x), float_bits(d.y), float_bits(d.z));
+}
+
 float relative_ior(const SurfaceInteraction& surface, float ior) {
   const float eta = std::max(ior, 1e-5f);
   return surface.is_back_facing ? 1.0f / eta : eta;
@@ -71,6 +86,12 @@ void DiffuseNode::eval(ShadingContext& context) const {
 }
 
 void GlossyNode::eval(ShadingContext& context) const {
+  if (distribution == GlossyDistribution::multi_ggx) {
+    const float alpha = sqr(saturate(context.get(roughness)));
+    return context.bsdf.add(
+        MultiGgxReflection{multi_scatter(context, context.get(color), alpha, alpha)},
+        context.get(color) * context.get(weight), context.normal(normal));
+  }
   context.bsdf.add(reflection_lobe(distribution, context.get(roughness)),
                    context.get(color) * context.get(weight), context.normal(normal));
 }
@@ -90,7 +111,10 @@ void AnisotropicNode::eval(ShadingContext& context) const {
   const float alpha_y = a < 0.0f ? alpha * (1.0f + a) : alpha / (1.0f - a);
   const Vec3 along = tangent.linked() ? context.get(tangent) : surface_tangent(context.surface, n);
   const Vec3 turned = rotate_about(along, n, k_two_pi * context.get(rotation));
-  const Lobe lobe = rough_reflection(distribution, alpha_x, alpha_y);
+  const Lobe lobe =
+      distribution == GlossyDistribution::multi_ggx
+          ? Lobe(MultiGgxReflection{multi_scatter(context, context.get(color), alpha_x, alpha_y)})
+          : rough_reflection(distribution, alpha_x, alpha_y);
   context.bsdf.add(lobe, context.get(color) * context.get(weight), n, turned);
 }
 
@@ -100,6 +124,13 @@ void GlassNode::eval(ShadingContext& context) const {
   const float reflectance = fresnel_dielectric(dot(n, context.surface.wo), eta);
   const float rough = context.get(roughness);
   const Spectrum tint = context.get(color) * context.get(weight);
+  if (distribution == GlossyDistribution::multi_ggx) {
+    const float alpha = sqr(saturate(rough));
+    MultiScatter scatter = multi_scatter(context, context.get(color), alpha, alpha);
+    scatter.eta = eta;
+    context.bsdf.add(MultiGgxReflection{scatter}, tint, n);
+    return context.bsdf.add(MultiGgxTransmission{scatter}, tint, n);
+  }
   context.bsdf.add(reflection_lobe(distribution, rough), tint * reflectance, n);
   context.bsdf.add(refraction_lobe(distribution, rough, eta),
                    tint * std::max(1.0f - reflectance, k_min_transmittance), n);
@@ -158,9 +189,9 @@ void HoldoutNode::eval(ShadingContext& context) const {
 
 namespace {
 
-// Multiple scattering is drawn as single-scattering GGX.
 constexpr auto k_ggx = GlossyDistribution::ggx;
 constexpr auto k_ashikhmin = GlossyDistribution::ashikhmin_shirley;
+constexpr auto k_multi_ggx = GlossyDistribution::multi_ggx;
 constexpr auto k_beckmann = GlossyDistribution::beckmann;
 constexpr auto k_sharp = GlossyDistribution::sharp;
 
@@ -182,7 +213,7 @@ void register_reflecting(NodeRegistry& registry) {
                {"BECKMANN", k_beckmann},
                {"GGX", k_ggx},
                {"ASHIKHMIN_SHIRLEY", k_ashikhmin},
-               {"MULTI_GGX", k_ggx}})
+               {"MULTI_GGX", k_multi_ggx}})
       .closure_output("BSDF")
       .closure();
   registry.add<ConductorNode>("TennielConductor")
@@ -207,7 +238,7 @@ void register_reflecting(NodeRegistry& registry) {
       .choice("distribution", &AnisotropicNode::distribution,
               {{"BECKMANN", k_beckmann},
                {"GGX", k_ggx},
-               {"MULTI_GGX", k_ggx},
+               {"MULTI_GGX", k_multi_ggx},
                {"ASHIKHMIN_SHIRLEY", k_ashikhmin}})
       .closure_output("BSDF")
       .closure();
@@ -228,7 +259,10 @@ void register_transmitting(NodeRegistry& registry) {
       .input("Normal", &GlassNode::normal)
       .implicit(ImplicitInput::normal)
       .choice("distribution", &GlassNode::distribution,
-              {{"SHARP", k_sharp}, {"BECKMANN", k_beckmann}, {"GGX", k_ggx}, {"MULTI_GGX", k_ggx}})
+              {{"SHARP", k_sharp},
+               {"BECKMANN", k_beckmann},
+               {"GGX", k_ggx},
+               {"MULTI_GGX", k_multi_ggx}})
       .closure_output("BSDF")
       .closure();
   registry.add<RefractionNode>("ShaderNodeBsdfRefraction")

@@ -6,7 +6,9 @@
 // The plain shaders, with the meaning they have in Blender 3.4. Roughness is squared to alpha.
 namespace tenniel {
 
-enum class GlossyDistribution : uint8_t { sharp, beckmann, ggx, ashikhmin_shirley };
+enum class GlossyDistribution : uint8_t { sharp, beckmann, ggx, ashikhmin_shirley, multi_ggx };
+// A number that varies from sample to sample, for lobes that walk at random.
+uint32_t walk_seed(const SurfaceInteraction& surface);
 
 struct DiffuseNode {
   Input<float> weight;

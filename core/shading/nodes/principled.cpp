@@ -43,7 +43,8 @@ struct Principled {
     add(PrincipledSheen{}, color * (sheen * diffuse_weight));
   }
 
-  void add_transmission(float ior, float specular_tint, float refraction_roughness) const {
+  void add_transmission(float ior, float specular_tint, float refraction_roughness,
+                        bool walks) const {
     if (transmission_weight <= k_weight_cutoff) return;
     const float eta = relative_ior(context.surface, ior);
     const float reflectance = fresnel_dielectric(dot(normal, context.surface.wo), eta);
@@ -51,6 +52,14 @@ struct Principled {
     const auto rough = [](float r) {
       return Microsurface{MicrofacetDistribution::ggx, sqr(r), sqr(r)};
     };
+    if (walks) {
+      MultiScatter scatter{sqr(roughness), sqr(roughness), eta};
+      scatter.reflecting = Fresnel::principled(cspec0, eta);
+      scatter.passing = base;
+      scatter.seed = walk_seed(context.surface);
+      add(MultiGgxReflection{scatter}, Spectrum(transmission_weight));
+      return add(MultiGgxTransmission{scatter}, Spectrum(transmission_weight));
+    }
     add(MicrofacetReflection{rough(roughness), Fresnel::principled(cspec0, eta)},
         Spectrum(transmission_weight * reflectance));
     add(MicrofacetRefraction{rough(refraction_roughness), eta},
@@ -95,9 +104,16 @@ void PrincipledV1Node::scatter(ShadingContext& context, float opacity) const {
     const float lobe_ior = 2.0f / (1.0f - safe_sqrt(std::min(0.08f * spec, 0.99f))) - 1.0f;
     const float stretch = saturate(context.get(anisotropic));
     const float aspect = safe_sqrt(1.0f - stretch * 0.9f);
-    const MicrofacetReflection lobe{
-        {MicrofacetDistribution::ggx, sqr(rough) / aspect, sqr(rough) * aspect},
-        Fresnel::principled(cspec0, lobe_ior)};
+    const float alpha_x = sqr(rough) / aspect, alpha_y = sqr(rough) * aspect;
+    const Fresnel fresnel = Fresnel::principled(cspec0, lobe_ior);
+    // A smooth surface has hardly a second bounce: Blender leaves the walk out below these.
+    Lobe lobe = MicrofacetReflection{{MicrofacetDistribution::ggx, alpha_x, alpha_y}, fresnel};
+    if (distribution == PrincipledDistribution::multi_ggx && rough > 0.075f) {
+      MultiScatter scatter{alpha_x, alpha_y};
+      scatter.reflecting = fresnel;
+      scatter.seed = walk_seed(context.surface);
+      lobe = MultiGgxReflection{scatter};
+    }
     if (stretch > 0.0f)
       context.bsdf.add(lobe, Spectrum(specular_weight * opacity), n, turned_tangent(context, n));
     else
@@ -109,7 +125,8 @@ void PrincipledV1Node::scatter(ShadingContext& context, float opacity) const {
                           ? saturate(context.get(transmission_roughness))
                           : 0.0f;
   p.add_transmission(context.get(ior), context.get(specular_tint),
-                     1.0f - (1.0f - rough) * (1.0f - extra));
+                     1.0f - (1.0f - rough) * (1.0f - extra),
+                     distribution == PrincipledDistribution::multi_ggx && rough > 0.05f);
 
   const float coat = context.get(clearcoat);
   if (coat > k_weight_cutoff)
