@@ -95,6 +95,7 @@ class InstanceDesc:
     pass_index: float
     random: float
     is_holdout: bool
+    terminator_cutoff: float  # cosine; 0 = shadow rays leave from the flat faces
     generated: Sequence[float]  # 3
     instancer_uv: Sequence[float]  # 2
     attributes: dict[str, Sequence[float]]  # 4 floats each: Attribute nodes of type OBJECT etc.

@@ -84,6 +84,33 @@ class SpotTest(LightCase):
         self.check_each(variants, max_noise=0.01)
 
 
+class TerminatorTest(LightCase):
+    """Coarse smooth balls under a low lamp: where facets turn away before the normals do."""
+
+    def ball(self, offset, placement, segments=16):
+        ball = scene_factory.sphere(self.scene, 1.0, scene_factory.diffuse((1, 1, 1)),
+                                    segments=segments, rings=segments // 2, **placement)
+        ball.cycles.shadow_terminator_geometry_offset = offset
+        scene_factory.top_camera(self.scene, 2.4)
+        scene_factory.lamp(self.scene, "SUN", energy=3.0, rotation=(0, 75, 20), angle=0.0)
+
+    def test_geometry_offset(self):
+        for offset in (0.0, 0.1, 0.6):
+            for name, placement in {"plain": {}, "scaled": {"scale": (1.0, 0.8, 1.2)}}.items():
+                with self.subTest(offset=offset, placement=name):
+                    self.setUp()
+                    self.ball(offset, placement)
+                    self.check(f"{name} {offset}")
+
+    def test_offset_changes_the_picture(self):
+        pictures = []
+        for offset in (0.0, 0.1):
+            self.setUp()
+            self.ball(offset, {})
+            pictures.append(render(TESTED_ENGINE, 32, resolution=(32, 32), scene=self.scene))
+        self.assertGreater(pictures[1].mean()[0], 1.001 * pictures[0].mean()[0])
+
+
 class AreaTest(LightCase):
 
     def test_shapes(self):

@@ -55,6 +55,7 @@ void bind_instance(py::module_& module) {
       .field("pass_index", &InstanceDesc::pass_index)
       .field("random", &InstanceDesc::random)
       .field("is_holdout", &InstanceDesc::is_holdout)
+      .field("terminator_cutoff", &InstanceDesc::terminator_cutoff)
       .field("generated", &InstanceDesc::generated)
       .field("instancer_uv", &InstanceDesc::instancer_uv)
       .field("attributes", &InstanceDesc::attributes);

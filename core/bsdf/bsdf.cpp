@@ -142,6 +142,19 @@ BsdfEval Bsdf::eval(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
   return sum;
 }
 
+Spectrum Bsdf::value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
+  Spectrum sum;
+  if (dot(geometric_normal_, wi) > 0.0f || !(dot(shading_normal_, wi) > 0.0f)) return sum;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    const bool reflects =
+        entry.lobe_class == LobeClass::diffuse || entry.lobe_class == LobeClass::glossy;
+    if (reflects && !entry.is_delta && lobes.has(entry.lobe_class))
+      sum += eval_entry(entry, wi).value;
+  }
+  return sum;
+}
+
 std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   const Weighted* chosen = nullptr;
   for (int i = 0; i < count_; ++i) {

@@ -55,6 +55,9 @@ class Bsdf {
   // value but not their pdf, and a looking glass asks for one group in both.
   BsdfEval eval(Vec3 wi, LobeSet value_lobes = LobeSet::all(),
                 LobeSet pdf_lobes = LobeSet::all()) const;
+  // What `eval` leaves out: reflection toward a `wi` above the shading normal's horizon but below
+  // the true one, which no sample takes. For light on the smooth surface that facets stand for.
+  Spectrum value_beyond_horizon(Vec3 wi, LobeSet lobes) const;
   std::optional<BsdfSample> sample(float u_lobe, Vec2 u) const;
 
   // Sum of the weights that pass straight through (transparent lobes).

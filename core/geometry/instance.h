@@ -39,6 +39,8 @@ struct Instance {
   float pass_index = 0.0f;
   float random = 0.0f;  // [0, 1] of Object Info
   bool is_holdout = false;
+  // Below this cosine shadow rays leave smooth faces from the surface that the normals describe.
+  float terminator_cutoff = 0.0f;
   Vec3 generated;  // instancer's generated coordinate and UV, for `from_instancer`
   Vec2 instancer_uv;
   Vec3 texture_space_location;  // Generated = (p - location) / (2 size) + 0.5, object space

@@ -170,6 +170,26 @@ Vec3 normal_to_world(const SurfaceInteraction& at, Vec3 normal) {
   return normalize_or(at.world_to_object().transposed_vector(normal), {0.0f, 0.0f, 1.0f});
 }
 
+// Along each edge a parabola that stands upright on the normals at its ends.
+Vec3 to_smooth_surface(const SurfaceInteraction& at) {
+  const CornerNormals corners = smooth_normals(at);
+  if (corners.a == nullptr) return {};
+  const auto outward = [&at](Vec3 n) {
+    if (!at.mesh->is_world_space) n = at.instance->world_to_object.transposed_vector(n);
+    n = normalize_or(n, {});
+    return at.is_back_facing ? -n : n;
+  };
+  const std::array<Vec3, 3> n{outward(*corners.a), outward(*corners.b), outward(*corners.c)};
+  float height = 0.0f;
+  for (size_t i = 0; i < 3; ++i) {
+    const size_t j = (i + 1) % 3;
+    height +=
+        at.weights[i] * at.weights[j] * dot(n[j] - n[i], at.corner_points[j] - at.corner_points[i]);
+  }
+  const Vec3 normal = weighted(at.weights, n[0], n[1], n[2]);
+  return height > 0.0f && is_finite(normal) ? normal * height : Vec3();
+}
+
 Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
   constexpr float k_near_origin = 1.0f / 32.0f;
   constexpr float k_float_scale = 1.0f / 65536.0f;

@@ -72,6 +72,10 @@ Vec3 interpolated_object_normal(const SurfaceInteraction& at);
 // Object-space normal to world space, unit.
 Vec3 normal_to_world(const SurfaceInteraction& at, Vec3 normal);
 
+// From the point on the flat triangle to the curved surface that its corner normals describe, world
+// space; zero on flat faces and where that surface lies below.
+Vec3 to_smooth_surface(const SurfaceInteraction& at);
+
 // Start of a ray that leaves `position` toward `direction`, moved off the surface by the error
 // bound of the intersection (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
 // Self-Intersection").

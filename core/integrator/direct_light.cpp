@@ -47,6 +47,18 @@ std::optional<LightSample> sample_environment(const Scene& scene, const Environm
   return LightSample{drawn->wi, k_infinity, radiance, drawn->pdf, false};
 }
 
+// Where the facets of a smooth surface are about to hide it from the light, the shadow ray starts
+// from the smooth surface instead: Cycles' geometry offset of the shadow terminator, with its blend
+// from the one to the other.
+Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi) {
+  const float cutoff = at.instance->terminator_cutoff;
+  const float smooth = dot(at.shading_normal, wi), flat = dot(at.geometric_normal, wi);
+  if (!(smooth > 0.0f) || !(flat < cutoff)) return offset_ray_origin(at, wi);
+  const float amount = smooth < cutoff ? 2.0f - (flat + smooth) / cutoff : 1.0f - flat / cutoff;
+  const Vec3 above = offset_ray_origin(at, flat > 0.0f ? wi : at.geometric_normal);
+  return above + to_smooth_surface(at) * saturate(amount);
+}
+
 }  // namespace
 
 std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
@@ -116,7 +128,9 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
 
   const Bsdf& bsdf = worker.surface.bsdf;
   const LobeSet seeing = lobes_that_see(light.visibility, group.world) & group.lobes;
-  const BsdfEval scattered = bsdf.eval(sample->wi, seeing, group.lobes);
+  BsdfEval scattered = bsdf.eval(sample->wi, seeing, group.lobes);
+  if (worker.surface.surface.instance->terminator_cutoff > 0.0f)
+    scattered.value += bsdf.value_beyond_horizon(sample->wi, seeing);
   if (is_black(scattered.value)) return {};
 
   const float pdf = sample->pdf * choice->probability;
@@ -127,7 +141,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
   const SurfaceInteraction& at = worker.surface.surface;
   if (light.casts_shadow) {
     Ray ray;
-    ray.origin = offset_ray_origin(at, sample->wi);
+    ray.origin = shadow_ray_origin(at, sample->wi);
     ray.direction = sample->wi;
     if (sample->distance < k_infinity) {
       // To the very point that was sampled: seen at a slant, the lamp itself would come between.

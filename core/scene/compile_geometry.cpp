@@ -165,6 +165,7 @@ Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t ma
   instance.pass_index = desc.pass_index;
   instance.random = desc.random;
   instance.is_holdout = desc.is_holdout;
+  instance.terminator_cutoff = desc.terminator_cutoff;
   instance.generated = {desc.generated[0], desc.generated[1], desc.generated[2]};
   instance.instancer_uv = {desc.instancer_uv[0], desc.instancer_uv[1]};
   const auto& location = mesh.texture_space_location;

@@ -162,6 +162,7 @@ class _Walker:
         desc.color = tuple(obj.color)
         desc.pass_index = obj.pass_index
         desc.is_holdout = self._layer_flag(instance, obj, 'holdout_get')
+        desc.terminator_cutoff = _terminator_cutoff(obj)
         self._set_looking_glass(desc, obj, tags, front)
         self._report_limits(obj)
         attributes = frozenset().union(*(item.instance_attributes for item in used))
@@ -268,6 +269,12 @@ class _Walker:
         if (name, text) not in self._reported:
             self._reported.add((name, text))
             self._context.report('WARNING', text, object=name)
+
+
+def _terminator_cutoff(obj):
+    """Cosine below which shadow rays leave the smooth surface; Cycles' default without Cycles."""
+    cycles = getattr(obj, 'cycles', None)
+    return 0.1 if cycles is None else cycles.shadow_terminator_geometry_offset
 
 
 def _has_shape_keys(mesh):
