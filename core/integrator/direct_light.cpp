@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "integrator/media_transmittance.h"
+#include "integrator/shadow_ray.h"
 #include "sampling/mis.h"
 
 namespace tenniel {
@@ -47,18 +48,6 @@ std::optional<LightSample> sample_environment(const Scene& scene, const Environm
   return LightSample{drawn->wi, k_infinity, radiance, drawn->pdf, false};
 }
 
-// Where the facets of a smooth surface are about to hide it from the light, the shadow ray starts
-// from the smooth surface instead: Cycles' geometry offset of the shadow terminator, with its blend
-// from the one to the other.
-Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi) {
-  const float cutoff = at.instance->terminator_cutoff;
-  const float smooth = dot(at.shading_normal, wi), flat = dot(at.geometric_normal, wi);
-  if (!(smooth > 0.0f) || !(flat < cutoff)) return offset_ray_origin(at, wi);
-  const float amount = smooth < cutoff ? 2.0f - (flat + smooth) / cutoff : 1.0f - flat / cutoff;
-  const Vec3 above = offset_ray_origin(at, flat > 0.0f ? wi : at.geometric_normal);
-  return above + to_smooth_surface(at) * saturate(amount);
-}
-
 }  // namespace
 
 std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
@@ -75,41 +64,6 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
         lamp_emission(scene, light, position, sample->wi, sample->distance, path, scratch);
   }
   return sample;
-}
-
-Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
-                       WorldIndex world, const PathInfo& path, ShadingContext& scratch) {
-  const uint32_t mask = ray_mask(world, RayKind::shadow);
-  if (!scene.has_transparent_shadows)
-    return scene.accel->occluded(ray, mask) ? Spectrum() : Spectrum(1.0f);
-  Spectrum through(1.0f);
-  Ray rest = ray;
-  PathInfo info = path;
-  info.kind = RayKind::shadow;
-  info.world = world;
-  ++info.ray_depth;
-  while (const auto hit = scene.accel->intersect(rest, mask)) {
-    const SurfaceInteraction at = scene.interaction(rest, *hit, 0.0f);
-    const Material& material = scene.material_at(at, world);
-    const bool passes = material.is_transparent && material.use_transparent_shadow &&
-                        info.transparent_depth < settings.transparent_max_bounces;
-    if (!passes) return {};
-    scratch.surface = at;
-    scratch.path = info;
-    scratch.domain = ShaderDomain::surface;
-    scratch.camera = &scene.camera_info;
-    scratch.material_pass_index = material.pass_index;
-    scratch.begin(k_query_transparency);
-    material.transparency.run(scratch);
-    through *= scratch.transparency;
-    if (!(max_component(through) > 0.0f)) return {};
-    ++info.transparent_depth;
-    rest.t_max -= hit->t;
-    rest.origin = offset_ray_origin(at, rest.direction);
-    rest.t_min = 0.0f;
-    if (!(rest.t_max > 0.0f)) break;
-  }
-  return through;
 }
 
 Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,

@@ -21,10 +21,6 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
                       const WorldGroup& group, const ShadingPoint& point, const LightNumbers& u,
                       Worker& worker);
 
-// Share of the light that reaches `ray.t_max` in `world`; surfaces dim it by their transparency.
-Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
-                       WorldIndex world, const PathInfo& path, ShadingContext& scratch);
-
 // Toward `light` from `point`, its radiance by its shader in `path.world`.
 std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
                                         const ShadingPoint& point, const PathInfo& path, Vec2 u,

@@ -85,9 +85,9 @@ TEST(Limits, RouletteSparesTheFirstBounces) {
   limits.min_light_bounces = 2;
   PathState state;
   state.throughput = Spectrum(0.25f, 0.01f, 0.0f);
-  state.info.ray_depth = 2;
-  EXPECT_EQ(survival_probability(state, limits), 1.0f);
   state.info.ray_depth = 3;
+  EXPECT_EQ(survival_probability(state, limits), 1.0f);
+  state.info.ray_depth = 4;
   EXPECT_FLOAT_EQ(survival_probability(state, limits), 0.5f);
   state.throughput = Spectrum(0.5f);
   EXPECT_EQ(survival_probability(state, limits), 1.0f);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/media_transmittance.h"
 
+#include "integrator/shadow_ray.h"
 #include "media/free_flight.h"
 
 namespace tenniel {
@@ -8,31 +9,6 @@ namespace tenniel {
 namespace {
 
 constexpr int k_max_boundaries = 1024;
-
-// What the surface at `at` lets through; black where it stops the light.
-Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
-                              const Material& material, const PathInfo& path,
-                              ShadingContext& scratch) {
-  scratch.surface = at;
-  scratch.path = path;
-  scratch.domain = ShaderDomain::surface;
-  scratch.camera = &scene.camera_info;
-  scratch.material_pass_index = material.pass_index;
-  scratch.begin(k_query_transparency);
-  material.transparency.run(scratch);
-  return scratch.transparency;
-}
-
-// Lets `ray` go on from `origin` to the same `end`: beside its old way it might meet the light that
-// it comes from.
-void start_anew(Ray& ray, Vec3 end, Vec3 origin) {
-  ray.origin = origin;
-  ray.t_min = 0.0f;
-  if (!(ray.t_max < k_infinity)) return;
-  const Vec3 rest = end - origin;
-  ray.t_max = dot(rest, ray.direction) > 0.0f ? length(rest) : 0.0f;
-  if (ray.t_max > 0.0f) ray.direction = rest / ray.t_max;
-}
 
 }  // namespace
 

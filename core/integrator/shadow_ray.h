@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scene/description.h"
+#include "scene/scene.h"
+
+// From a surface to a light: where the ray starts, and what the surfaces on its way leave of it.
+namespace tenniel {
+
+// Where the facets of a smooth surface are about to hide it from the light, the shadow ray starts
+// from the smooth surface instead: Cycles' geometry offset of the shadow terminator, with its blend
+// from the one to the other.
+Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi);
+
+// Share of the light that reaches `ray.t_max` in `world`; surfaces dim it by their transparency.
+Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
+                       WorldIndex world, const PathInfo& path, ShadingContext& scratch);
+
+// What the surface at `at` lets through; black where it stops the light.
+Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
+                              const Material& material, const PathInfo& path,
+                              ShadingContext& scratch);
+
+// Lets `ray` go on from `origin` to the same `end`: beside its old way it might meet the light that
+// it comes from.
+void start_anew(Ray& ray, Vec3 end, Vec3 origin);
+
+}  // namespace tenniel
