@@ -81,6 +81,10 @@ class OutputTest(GraphCase):
         self.assert_close(diffuse["inputs"]["Color"], (0.2, 0.4, 0.6, 1.0))
         self.assertEqual(graph.source(graph.nodes[graph.output], "Surface"), (diffuse, "BSDF"))
 
+    def test_aov_output_is_reported(self):
+        self.graph_of(lambda _tree, nodes, _emission: nodes.add("ShaderNodeOutputAOV"))
+        self.assert_reported("m", "AOV Output")
+
     def test_only_what_the_output_needs(self):
         def build(_tree, nodes, _emission):
             nodes.add("ShaderNodeTexChecker")

@@ -224,6 +224,14 @@ class MirrorTest(ExportTestCase):
         self.export()
         self.assert_reported("Ghost", "no looking glass")
 
+    def test_many_behind_without_looking_glass_are_summed_up(self):
+        for number in range(20):
+            scene_factory.plane(self.scene, name=f"Ghost {number:02}").tenniel.side = 'BEHIND'
+        self.export()
+        self.assert_reported("Ghost 00", "no looking glass")
+        self.assert_reported("12 more objects")
+        self.assertEqual(len(self.report_texts()), 9)
+
     def test_behind_materials(self):
         front, back = scene_factory.diffuse(), scene_factory.emission()
         obj = scene_factory.plane(self.scene, 1.0, front)

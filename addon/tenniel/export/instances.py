@@ -38,6 +38,9 @@ _ENTRY_WORDS = {'REFLECTION': "reflects", 'TRANSMISSION': "lets light through",
 # `break` asked for this often costs less than a percent of the walk.
 _OBJECTS_PER_BREAK_TEST = 64
 
+# A dream may hold hundreds of objects: these many are named one by one.
+_MAX_UNSEEN_ROWS = 8
+
 
 def _is_smoke(obj):
     """Whether the object is the domain of a gas simulation: its mesh is but the box around it."""
@@ -69,10 +72,16 @@ def export_instances(context):
 
 
 def _report_unseen(context):
-    if context.behind_objects and not context.has_looking_glass:
-        for name in context.behind_objects:
-            context.report('WARNING', "Exists only behind the mirror, but the scene has no "
-                           "looking glass: it will not be seen", object=name)
+    """A row for each of the first objects that no glass shows, one for all the others."""
+    if context.has_looking_glass:
+        return
+    names = sorted(context.behind_objects)
+    for name in names[:_MAX_UNSEEN_ROWS]:
+        context.report('WARNING', "Exists only behind the mirror, but the scene has no "
+                       "looking glass: it will not be seen", object=name)
+    if len(names) > _MAX_UNSEEN_ROWS:
+        context.report('WARNING', f"{len(names) - _MAX_UNSEEN_ROWS} more objects exist only behind "
+                       "the mirror, and no looking glass shows them")
 
 
 class _Walker:
