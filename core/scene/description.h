@@ -79,7 +79,7 @@ struct InstanceDesc {
   float pass_index = 0.0f;
   float random = 0.0f;  // [0, 1]
   bool is_holdout = false;
-  float terminator_cutoff = 0.0f;  // cosine: Cycles' shadow_terminator_geometry_offset
+  float terminator_cutoff = 0.0f;           // cosine: Cycles' shadow_terminator_geometry_offset
   std::array<float, 3> generated{0, 0, 0};  // of the instancer
   std::array<float, 2> instancer_uv{0, 0};
   std::map<std::string, std::array<float, 4>> attributes;  // for Attribute nodes off geometry
