@@ -166,6 +166,13 @@ Vec3 interpolated_object_normal(const SurfaceInteraction& at) {
   return weighted(at.weights, to_object(*normals.a), to_object(*normals.b), to_object(*normals.c));
 }
 
+Vec3 undisplaced_position(const SurfaceInteraction& at) {
+  if (!at.mesh || at.mesh->undisplaced.empty()) return at.position;
+  const auto& p = at.mesh->undisplaced;
+  return at.object_to_world().point(
+      weighted(at.weights, p[at.vertices[0]], p[at.vertices[1]], p[at.vertices[2]]));
+}
+
 Vec3 normal_to_world(const SurfaceInteraction& at, Vec3 normal) {
   return normalize_or(at.world_to_object().transposed_vector(normal), {0.0f, 0.0f, 1.0f});
 }

@@ -69,6 +69,8 @@ SurfaceInteraction shifted(const SurfaceInteraction& at, Vec3 offset);
 
 // Smooth normal in object space before any flip, not normalised; for tangent-space normal maps.
 Vec3 interpolated_object_normal(const SurfaceInteraction& at);
+// Where the point was before displacement, world space.
+Vec3 undisplaced_position(const SurfaceInteraction& at);
 // Object-space normal to world space, unit.
 Vec3 normal_to_world(const SurfaceInteraction& at, Vec3 normal);
 

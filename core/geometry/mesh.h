@@ -48,6 +48,7 @@ struct Mesh {
   bool all_smooth = false;               // read when `face_smooth` is empty
   std::vector<Vec3> vertex_normals;      // same space as positions, unit; may be empty
   std::vector<Vec3> corner_normals;      // per Blender corner; wins over vertex_normals
+  std::vector<Vec3> undisplaced;         // positions before displacement, object space; or empty
   std::vector<Attribute> attributes;
   std::vector<int16_t> slot_of_attribute;  // AttributeIds id -> index in `attributes`, -1 = none
   bool is_world_space = false;             // flattened into the top level

@@ -8,6 +8,7 @@
 #include "geometry/pointiness.h"
 #include "math/hash.h"
 #include "scene/compile_scene.h"
+#include "scene/displace.h"
 #include "shading/nodes/attribute_names.h"
 
 namespace tenniel {
@@ -195,13 +196,12 @@ void SceneCompiler::compile_geometry() {
   std::erase_if(instances,
                 [&](const InstanceDesc& i) { return !can_place(i, meshes.size(), diagnostics); });
   std::vector<int> users(meshes.size(), 0);
-  std::vector<size_t> only_user(meshes.size(), 0);
+  std::vector<size_t> first_user(meshes.size(), 0);
   std::vector<std::set<std::string>> tangents(meshes.size());
   for (size_t i = 0; i < instances.size(); ++i) {
     const InstanceDesc& desc = instances[i];
     const auto mesh = static_cast<size_t>(desc.mesh);
-    ++users[mesh];
-    only_user[mesh] = i;
+    if (users[mesh]++ == 0) first_user[mesh] = i;
     scene.instances.push_back(
         instance_from(desc, meshes[mesh], scene.materials.size(), attributes));
     for (const auto* list : {&desc.materials, &desc.behind_materials})
@@ -228,8 +228,9 @@ void SceneCompiler::compile_geometry() {
                            " faces are broken (not finite, or without vertices) and left out.",
                        meshes[i].name, "", "", ""});
     meshes[i] = MeshDesc();
+    const Instance& user = scene.instances[first_user[i]];
+    displace(scene, user, mesh, diagnostics);
     // A mesh that only one instance uses joins the top level of the acceleration structure.
-    const Instance& user = scene.instances[only_user[i]];
     if (users[i] == 1 && user.motion.empty() && user.object_to_world.determinant() != 0.0f)
       move_to_world_space(mesh, user.object_to_world);
   });

@@ -133,6 +133,8 @@ void SceneCompiler::compile_materials() {
         std::max({scene.register_count, material.surface.register_count(),
                   material.transparency.register_count(), material.emission.register_count(),
                   material.volume.register_count()});
+    if (const auto& program = material.displacement.program)
+      scene.register_count = std::max(scene.register_count, program->register_count());
     return material;
   };
 

@@ -19,7 +19,7 @@ size_t bytes(const std::vector<T>& v) {
 size_t mesh_bytes(const Mesh& m) {
   size_t total = bytes(m.positions) + bytes(m.face_vertices) + bytes(m.face_corners) +
                  bytes(m.face_polygons) + bytes(m.face_materials) + bytes(m.face_smooth) +
-                 bytes(m.vertex_normals) + bytes(m.corner_normals);
+                 bytes(m.vertex_normals) + bytes(m.corner_normals) + bytes(m.undisplaced);
   for (const Attribute& a : m.attributes)
     total += bytes(a.data);
   return total;

@@ -69,11 +69,26 @@ void lower(ShaderIr& ir, const MaterialSource& source, ShaderRoot root,
            const CompileContext& context) {
   insert_conversions(ir, context);
   insert_implicit_inputs(ir, context);
-  if (root == ShaderRoot::surface) insert_displacement(ir, source, context);
+  if (root == ShaderRoot::surface) insert_displacement(ir, source);
   lower_closures(ir);
   if (!context.optimise) return;
   fold_constants(ir, source.domain);
   share_equal_nodes(ir);
+}
+
+// True displacement is a program of its own; without BOTH nothing of it is left to bend normals.
+void split_displacement(ShaderIr& ir, DisplacementMethod method, Material& material) {
+  material.displacement_method = method;
+  material.displaces = ir.prologue >= 0 && method != DisplacementMethod::bump;
+  if (!material.displaces) return;
+  const IrNode& bump = ir.at(ir.prologue);
+  if (bump.links[0].linked()) {
+    material.displacement = emit_vector(ir, bump.links[0]);
+  } else {
+    const Constant value = constant(bump.data.get(), input_info(*bump.type, 0));
+    material.displacement.result.value = {value[0], value[1], value[2]};
+  }
+  if (method == DisplacementMethod::displacement) ir.prologue = -1;
 }
 
 // A node that serves both roots is built twice: it speaks once.
@@ -120,6 +135,7 @@ Material compile_material(const MaterialSource& source, CompileContext& given) {
   Material material;
   if (source.domain == ShaderDomain::world) find_suns(ir, material);
   lower(ir, source, ShaderRoot::surface, context);
+  split_displacement(ir, source.displacement, material);
   if (source.graph) material.name = source.graph->name;
   const uint8_t query = surface_query(source.domain);
   material.surface = emit_program(ir, query);
@@ -143,9 +159,11 @@ std::vector<std::string> required_tangents(const NodeGraph& graph) {
     const std::string space = text_setting(node, "space");
     const bool from_map =
         node.type == "ShaderNodeNormalMap" && (space.empty() || space == "TANGENT");
+    const bool from_vector =
+        node.type == "ShaderNodeVectorDisplacement" && (space.empty() || space == "TANGENT");
     const bool from_uv =
         node.type == "ShaderNodeTangent" && text_setting(node, "direction_type") == "UV_MAP";
-    if (from_map || from_uv) names.insert(text_setting(node, "uv_map"));
+    if (from_map || from_vector || from_uv) names.insert(text_setting(node, "uv_map"));
   }
   return {names.begin(), names.end()};
 }

@@ -27,7 +27,7 @@ void insert_conversions(ShaderIr& ir, const CompileContext& context);
 // Links the coordinates that Blender implies for inputs without a link.
 void insert_implicit_inputs(ShaderIr& ir, const CompileContext& context);
 // Lets what is linked to Displacement bend the shading normal.
-void insert_displacement(ShaderIr& ir, const MaterialSource& source, const CompileContext& context);
+void insert_displacement(ShaderIr& ir, const MaterialSource& source);
 // Replaces Mix and Add Shader by a weight for each closure.
 void lower_closures(ShaderIr& ir);
 // Runs pure nodes on constants.
@@ -54,6 +54,8 @@ bool is_read(const IrNode& node, size_t input, uint8_t query);
 
 // Copies the nodes of `order_steps` into a Program and assigns its registers.
 Program emit_program(const ShaderIr& ir, uint8_t query);
+// The program of one value.
+ProgramInput<Vec3> emit_vector(const ShaderIr& ir, IrLink value);
 
 // Settings and values of one node (node_values.cpp).
 void apply_settings(IrNode& node, const GraphNode& from, const CompileContext& context);

@@ -121,16 +121,12 @@ void insert_implicit_inputs(ShaderIr& ir, const CompileContext& context) {
   }
 }
 
-void insert_displacement(ShaderIr& ir, const MaterialSource& source,
-                         const CompileContext& context) {
+void insert_displacement(ShaderIr& ir, const MaterialSource& source) {
   if (ir.output < 0 || source.domain != ShaderDomain::surface) return;
   const size_t input = input_index(*ir.at(ir.output).type, "Displacement");
   if (input == ir.at(ir.output).type->inputs.size()) return;
   const IrLink displacement = ir.at(ir.output).links[input];
   if (!displacement.linked()) return;
-  if (source.displacement != DisplacementMethod::bump)
-    report(context, ir.at(ir.output).name,
-           "true displacement is not supported yet; it is shown as bump");
   ir.prologue = ir.add(displacement_bump_node());
   ir.at(ir.prologue).name = ir.at(ir.output).name;
   ir.link(ir.prologue, 0, displacement);

@@ -16,6 +16,8 @@ namespace tenniel {
 class NodeRegistry;
 class Texture;
 
+enum class DisplacementMethod : uint8_t { bump, displacement, both };
+
 // The compiled programs of one shader tree (of a material, a World or a lamp).
 struct Material {
   std::string name;
@@ -33,6 +35,10 @@ struct Material {
   bool has_volume = false;  // may be filled with something
   bool is_volume_constant = false;
   MediumProperties constant_volume;  // its emission included
+  // How far true displacement moves the surface, world space; read only if `displaces`.
+  ProgramInput<Vec3> displacement;
+  DisplacementMethod displacement_method = DisplacementMethod::bump;
+  bool displaces = false;  // moves vertices: linked, and its method is not bump
   bool use_transparent_shadow = true;
   bool sample_as_light = true;
 
@@ -41,8 +47,6 @@ struct Material {
   std::vector<SunDisk> suns;    // of its Sky Textures
   bool has_hidden_sun = false;  // a sun that stands where only its texture knows
 };
-
-enum class DisplacementMethod : uint8_t { bump, displacement, both };
 
 // Where a tree stands and what it may refer to while it is compiled.
 struct MaterialSource {
@@ -67,8 +71,8 @@ struct CompileContext {
 // sockets, wrong types): what cannot be used is reported and replaced by its default.
 Material compile_material(const MaterialSource& source, CompileContext& context);
 
-// Tangents a material needs: UV attribute names ("" = the active one) of its Normal Map and Tangent
-// nodes, so that meshes build them before the first ray.
+// Tangents a material needs: UV attribute names ("" = the active one) of its Normal Map,
+// Tangent and Vector Displacement nodes, so that meshes build them before the first ray.
 std::vector<std::string> required_tangents(const NodeGraph& graph);
 
 }  // namespace tenniel

@@ -174,4 +174,13 @@ Program emit_program(const ShaderIr& ir, uint8_t query) {
   return ProgramBuilder(ir, steps, query, 0).build({});
 }
 
+ProgramInput<Vec3> emit_vector(const ShaderIr& ir, IrLink value) {
+  const std::vector<ProgramStep> steps = order_steps(ir, value);
+  ProgramBuilder builder(ir, steps, k_every_query, 0);
+  ProgramInput<Vec3> emitted;
+  emitted.program = std::make_shared<const Program>(builder.build(value));
+  emitted.result.source = builder.place_of(value);
+  return emitted;
+}
+
 }  // namespace tenniel

@@ -10,8 +10,8 @@ namespace tenniel {
 Vec3 generated_coordinates(const SurfaceInteraction& surface) {
   if (!surface.instance) return surface.position;
   const Instance& instance = *surface.instance;
-  const Vec3 p =
-      surface.world_to_object().point(surface.position) - instance.texture_space_location;
+  const Vec3 p = surface.world_to_object().point(undisplaced_position(surface)) -
+                 instance.texture_space_location;
   const Vec3 size = instance.texture_space_size;
   const auto scaled = [](float x, float half) { return safe_divide(x, 2.0f * half) + 0.5f; };
   return {scaled(p.x, size.x), scaled(p.y, size.y), scaled(p.z, size.z)};

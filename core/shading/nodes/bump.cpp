@@ -119,17 +119,32 @@ void DisplacementNode::eval(ShadingContext& context) const {
   context.set(result, along * amount);
 }
 
+// y is the height; x runs along u of the active UV map, without one along the first edge.
+Vec3 VectorDisplacementNode::from_tangent_space(const ShadingContext& context, Vec3 move) const {
+  const SurfaceInteraction& surface = context.surface;
+  const Vec3 up = object_normal(surface, context.closure_normal);
+  const Attribute* along_u = surface.mesh ? surface.mesh->attribute(tangent.id) : nullptr;
+  const Attribute* sign = surface.mesh ? surface.mesh->attribute(tangent_sign.id) : nullptr;
+  Vec3 along;
+  float side = 1.0f;
+  if (along_u && sign) {
+    const auto t = interpolate(*along_u, surface);
+    along = {t[0], t[1], t[2]};
+    side = interpolate(*sign, surface)[0];
+  } else if (surface.mesh) {
+    along =
+        normalize_or(surface.world_to_object().vector(-parametric_v_direction(surface)), Vec3());
+  }
+  const Vec3 across = normalize_or(cross(up, along), Vec3()) * side;
+  return along * move.x + up * move.y + across * move.z;
+}
+
 void VectorDisplacementNode::eval(ShadingContext& context) const {
   const Spectrum c = context.get(vector);
   const float middle = context.get(midlevel);
   Vec3 move = Vec3{c.r - middle, c.g - middle, c.b - middle} * context.get(scale);
   const Instance* instance = context.surface.instance;
-  // In tangent space y is the height. The other two move along the surface, where any frame does
-  // as long as displacement is bump.
-  if (space == DisplacementSpace::tangent && instance) {
-    const Frame frame = Frame::from_normal(object_normal(context.surface, context.closure_normal));
-    move = frame.x * move.x + frame.z * move.y + frame.y * move.z;
-  }
+  if (space == DisplacementSpace::tangent && instance) move = from_tangent_space(context, move);
   if (space != DisplacementSpace::world && instance)
     move = context.surface.object_to_world().vector(move);
   context.set(result, move);
@@ -137,10 +152,13 @@ void VectorDisplacementNode::eval(ShadingContext& context) const {
 
 void DisplacementBumpNode::eval(ShadingContext& context) const {
   if (!displacement.program || !context.surface.mesh) return;
-  const Vec3 normal = context.closure_normal;
+  const Vec3 normal = context.closure_normal, position = context.surface.position;
+  // Where true displacement has moved it already, the heights are still those of the old place.
+  context.surface.position = undisplaced_position(context.surface);
   const BumpSample sample = sample_heights(
       context, *displacement.program,
       [this, normal](ShadingContext& c) { return dot(c.get(displacement.result), normal); });
+  context.surface.position = position;
   context.bend_shading_normal(raised(context.surface, bump_normal(sample, normal, 1.0f, 1.0f)));
 }
 
@@ -185,6 +203,8 @@ void register_bump_nodes(NodeRegistry& registry) {
               {{"TANGENT", DisplacementSpace::tangent},
                {"OBJECT", DisplacementSpace::object},
                {"WORLD", DisplacementSpace::world}})
+      .setting("uv_map", &VectorDisplacementNode::tangent, ".tangent")
+      .setting("uv_map", &VectorDisplacementNode::tangent_sign, ".tangent.sign")
       .output("Displacement", &VectorDisplacementNode::result)
       .varying();
 }

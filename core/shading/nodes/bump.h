@@ -5,8 +5,8 @@
 #include "shading/node_type.h"
 #include "shading/program.h"
 
-// Nodes that bend the shading normal: Bump, Normal Map, and the two displacement nodes, which until
-// true displacement act as bump through Material Output.
+// Nodes that bend the shading normal: Bump, Normal Map, and the two displacement nodes, whose
+// vector moves vertices (scene/displace.h), acts as bump, or both.
 namespace tenniel {
 
 // Heights at a point and at the two points `step_x`, `step_y` (world space) away from it.
@@ -61,8 +61,12 @@ struct VectorDisplacementNode {
   Input<Spectrum> vector;
   Input<float> midlevel{0.0f}, scale{1.0f};
   DisplacementSpace space = DisplacementSpace::tangent;
+  AttributeSlot tangent, tangent_sign;
   Output<Vec3> result;
   void eval(ShadingContext& context) const;
+
+ private:
+  Vec3 from_tangent_space(const ShadingContext& context, Vec3 move) const;  // to object space
 };
 
 // What is linked to Displacement of Material Output, as bump of the whole surface. Placed by the
