@@ -68,6 +68,9 @@ class DisplacementTest(RenderTestCase):
             "Height": height(n), "Scale": scale, "Midlevel": midlevel})
 
     def test_methods(self):
+        """Gentle relief on objects of scale 1: BOTH leaves Cycles where either is given up. A wave
+        of scale 0.8 is 2.4 % brighter in the mean (a block 6.6 %) at any resolution, a grid of
+        scale (1.2, 0.8, 1.5) 4 % (11 %)."""
         for method in METHODS:
             for height in (noise, wave, image):
                 self.show(height.__name__, method, self.along_normal(height))
