@@ -46,13 +46,13 @@ inline bool is_stochastic(const Lobe& lobe) {
 
 // `f` of whichever lobe this is. std::visit calls through a table, which the compiler does not see
 // through; the chain becomes a jump, and small lobes are inlined.
-template <size_t k_first = 0, class F, class L>
+template <size_t first = 0, class F, class L>
 constexpr decltype(auto) visit_lobe(F&& f, L& lobe) {
-  if constexpr (k_first + 1 == std::variant_size_v<Lobe>) {
-    return f(*std::get_if<k_first>(&lobe));
+  if constexpr (first + 1 == std::variant_size_v<Lobe>) {
+    return f(*std::get_if<first>(&lobe));
   } else {
-    if (lobe.index() == k_first) return f(*std::get_if<k_first>(&lobe));
-    return visit_lobe<k_first + 1>(f, lobe);
+    if (lobe.index() == first) return f(*std::get_if<first>(&lobe));
+    return visit_lobe<first + 1>(f, lobe);
   }
 }
 

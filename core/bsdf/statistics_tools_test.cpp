@@ -13,12 +13,12 @@ namespace {
 
 using namespace testing;
 
-const auto draw_cosine = [](Vec2 u) { return std::optional<Vec3>(warp_cosine_hemisphere(u)); };
+const auto k_draw_cosine = [](Vec2 u) { return std::optional<Vec3>(warp_cosine_hemisphere(u)); };
 
 TEST(Chi2Statistics, AcceptsTheRightDensity) {
   const auto pdf = [](Vec3 w) { return cosine_hemisphere_pdf(w.z); };
-  EXPECT_EQ(chi2_test(SphereDomain{}, draw_cosine, pdf).failure(0.01), "");
-  EXPECT_EQ(chi2_test(PeakDomain{}, draw_cosine, pdf).failure(0.01), "");
+  EXPECT_EQ(chi2_test(SphereDomain{}, k_draw_cosine, pdf).failure(0.01), "");
+  EXPECT_EQ(chi2_test(PeakDomain{}, k_draw_cosine, pdf).failure(0.01), "");
 }
 
 // 2 % of the samples in the wrong place.
@@ -30,7 +30,7 @@ TEST(Chi2Statistics, RejectsASlightlyWrongShape) {
   options.samples = 1000000;
   options.bins_x = 15;  // few bins see what is wrong everywhere by little
   options.bins_y = 30;
-  const Chi2Result result = chi2_test(SphereDomain{}, draw_cosine, pdf, options);
+  const Chi2Result result = chi2_test(SphereDomain{}, k_draw_cosine, pdf, options);
   EXPECT_NEAR(result.mass, 1.0, 1e-3);  // so that only the shape gives it away
   EXPECT_NE(result.failure(1e-6), "");
 }
@@ -64,7 +64,7 @@ TEST(Chi2Statistics, NoticesMissingMass) {
 
 TEST(Chi2Statistics, NoticesADensityAboveOne) {
   const auto pdf = [](Vec3 w) { return 1.01f * cosine_hemisphere_pdf(w.z); };
-  EXPECT_NE(chi2_test(SphereDomain{}, draw_cosine, pdf).failure(1e-6), "");
+  EXPECT_NE(chi2_test(SphereDomain{}, k_draw_cosine, pdf).failure(1e-6), "");
 }
 
 TEST(Chi2Statistics, PlaneAndLineDomains) {

@@ -70,13 +70,14 @@ Film::Film(int width, int height)
 }
 
 std::mutex& Film::tile_mutex(int x, int y) const {
-  return mutexes_[static_cast<size_t>(y / k_tile_size * tiles_across_ + x / k_tile_size)];
+  const int tile = y / k_tile_size * tiles_across_ + x / k_tile_size;
+  return mutexes_[static_cast<size_t>(tile)];
 }
 
 std::vector<PixelSums> Film::read_tile(size_t index) const {
   const FilmRect& tile = tiles_[index];
   std::vector<PixelSums> sums;
-  sums.reserve(static_cast<size_t>(tile.width * tile.height));
+  sums.reserve(static_cast<size_t>(tile.width) * static_cast<size_t>(tile.height));
   const std::lock_guard lock(tile_mutex(tile.x, tile.y));
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
     const auto row = pixels_.begin() + static_cast<ptrdiff_t>(y) * width_ + tile.x;

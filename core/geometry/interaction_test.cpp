@@ -113,8 +113,8 @@ TEST(MakeInteraction, AFaceWithoutAreaHasAUnitNormal) {
   const Instance instance = test::place(0);
   const auto at =
       make_interaction({{0, 0, 1}, {0, 0, -1}}, {1.0f, 0.2f, 0.2f, 0, 0}, instance, mesh, 0.0f);
-  EXPECT_EQ(at.geometric_normal, Vec3(0, 0, 1));
-  EXPECT_EQ(at.shading_normal, Vec3(0, 0, 1));
+  EXPECT_EQ(at.geometric_normal, (Vec3{0, 0, 1}));
+  EXPECT_EQ(at.shading_normal, (Vec3{0, 0, 1}));
   EXPECT_TRUE(is_finite(shifted(at, {0.1f, 0.0f, 0.0f}).position));
 }
 

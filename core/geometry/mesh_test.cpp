@@ -120,8 +120,8 @@ TEST(BuildMesh, DropsFacesItCannotUse) {
   ASSERT_EQ(mesh.face_polygons.size(), 1u);
   EXPECT_EQ(mesh.face_polygons[0], 4u);
   const Bounds3 box = mesh.bounds();
-  EXPECT_EQ(box.min, Vec3(4, 0, 0));
-  EXPECT_EQ(box.max, Vec3(5, 1, 0));
+  EXPECT_EQ(box.min, (Vec3{4, 0, 0}));
+  EXPECT_EQ(box.max, (Vec3{5, 1, 0}));
 }
 
 TEST(BuildMesh, SurvivesExtremeSizesAndLies) {

@@ -33,8 +33,9 @@ float sun_brightness(const SunDisk& sun, const Brightness& brightness) {
   const Frame frame = Frame::from_normal(sun.direction);
   float sum = 0.0f;
   for (int i = 0; i < k_side * k_side; ++i) {
-    const Vec2 u{(static_cast<float>(i % k_side) + 0.5f) / k_side,
-                 (static_cast<float>(i / k_side) + 0.5f) / k_side};
+    const int column = i % k_side, row = i / k_side;
+    const Vec2 u{(static_cast<float>(column) + 0.5f) / k_side,
+                 (static_cast<float>(row) + 0.5f) / k_side};
     sum += brightness(frame.to_world(warp_uniform_cone(u, one_minus_cos(sun))));
   }
   return sum / (k_side * k_side);

@@ -83,7 +83,8 @@ class RenderLoop {
     uint64_t dropped = 0;
     for (int y = 0; y < rect.height; ++y) {
       for (int x = 0; x < rect.width; ++x) {
-        PixelSums& pixel = sums[static_cast<size_t>(y * rect.width + x)];
+        const int index = y * rect.width + x;
+        PixelSums& pixel = sums[static_cast<size_t>(index)];
         for (int s = first; s < end; ++s) {
           if (counters_.cancelled.load(std::memory_order_relaxed)) return;
           const FilmSample sample =

@@ -141,6 +141,7 @@ LookingGlass looking_glass_from(const LookingGlassDesc& desc) {
 std::vector<uint32_t> material_list(const std::vector<int>& indices, size_t count) {
   const auto fallback = static_cast<uint32_t>(count - 1);
   std::vector<uint32_t> list;
+  list.reserve(indices.size());
   for (const int i : indices)
     list.push_back(i >= 0 && static_cast<size_t>(i) < count ? static_cast<uint32_t>(i) : fallback);
   if (list.empty()) list.push_back(fallback);

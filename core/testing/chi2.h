@@ -28,8 +28,8 @@ namespace tenniel::testing {
 // Directions, by (cos theta, phi) around z.
 struct SphereDomain {
   using Point = Vec3;
-  static constexpr double total = 4.0 * 3.14159265358979323846;
-  static double measure(double, double) { return total; }
+  static constexpr double k_total = 4.0 * 3.14159265358979323846;
+  static double measure(double, double) { return k_total; }
   static Vec2 to_square(Vec3 w) {
     const float phi = std::atan2(w.y, w.x);
     return {0.5f * (w.z + 1.0f), (phi < 0.0f ? phi + k_two_pi : phi) / k_two_pi};
@@ -47,7 +47,7 @@ struct SphereDomain {
 struct PeakDomain {
   using Point = Vec3;
   Frame frame;
-  static double measure(double x, double) { return SphereDomain::total * 4.0 * x * x * x; }
+  static double measure(double x, double) { return SphereDomain::k_total * 4.0 * x * x * x; }
   Vec2 to_square(Vec3 w) const {
     const Vec3 local = frame.to_local(w);
     // Near the peak 1 - cos has no digits left, the sine has.
