@@ -62,6 +62,14 @@ RTCRay to_embree(const Ray& ray, uint32_t mask) {
   return r;
 }
 
+RTCRayHit unanswered(const Ray& ray, uint32_t mask) {
+  RTCRayHit query;
+  query.ray = to_embree(ray, mask);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  return query;
+}
+
 struct OneInstanceContext {
   RTCIntersectContext embree;  // first: the filter casts back
   uint32_t instance;
@@ -121,6 +129,12 @@ struct Accel::State {
   RTCScene mesh_scene(const Mesh& mesh, uint32_t index);
   void attach(const Instance& instance, uint32_t index, const Mesh& mesh);
   bool commit(RTCScene scene);  // false: cancelled
+  // Whether Embree may see `ray`; counts those that it must not.
+  bool accepts(const Ray& ray) const {
+    if (is_usable(ray)) return true;
+    rejected.fetch_add(1, std::memory_order_relaxed);
+    return false;
+  }
   void check() const {
     if (!error.empty()) throw std::runtime_error("Embree: " + error);
   }
@@ -261,14 +275,8 @@ std::shared_ptr<const Accel> Accel::build(std::span<const Mesh> meshes,
 
 std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask) const {
   if (!state_->top) return {};
-  if (!is_usable(ray)) {
-    state_->rejected.fetch_add(1, std::memory_order_relaxed);
-    return {};
-  }
-  RTCRayHit query;
-  query.ray = to_embree(ray, mask);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  if (!state_->accepts(ray)) return {};
+  RTCRayHit query = unanswered(ray, mask);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(state_->top.get(), &context, &query);
@@ -279,14 +287,8 @@ std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask) const {
 
 size_t Accel::intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const {
   if (!state_->top) return 0;
-  if (!is_usable(ray)) {
-    state_->rejected.fetch_add(1, std::memory_order_relaxed);
-    return 0;
-  }
-  RTCRayHit query;
-  query.ray = to_embree(ray, mask);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  if (!state_->accepts(ray)) return 0;
+  RTCRayHit query = unanswered(ray, mask);
   CollectingContext context;
   rtcInitIntersectContext(&context.embree);
   context.embree.filter = collect;
@@ -298,10 +300,7 @@ size_t Accel::intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) 
 
 bool Accel::occluded(const Ray& ray, uint32_t mask) const {
   if (!state_->top) return false;
-  if (!is_usable(ray)) {
-    state_->rejected.fetch_add(1, std::memory_order_relaxed);
-    return false;
-  }
+  if (!state_->accepts(ray)) return false;
   RTCRay query = to_embree(ray, mask);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -320,14 +319,8 @@ std::optional<Hit> Accel::intersect_instance(const Ray& ray, uint32_t instance) 
     local.origin = to_object.point(ray.origin);
     local.direction = to_object.vector(ray.direction);
   }
-  if (!is_usable(local)) {
-    state_->rejected.fetch_add(1, std::memory_order_relaxed);
-    return {};
-  }
-  RTCRayHit query;
-  query.ray = to_embree(local, k_any_kind);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  if (!state_->accepts(local)) return {};
+  RTCRayHit query = unanswered(local, k_any_kind);
   OneInstanceContext context;
   rtcInitIntersectContext(&context.embree);
   context.instance = instance;

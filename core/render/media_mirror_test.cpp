@@ -10,7 +10,6 @@ namespace {
 
 using namespace testing;
 
-constexpr uint32_t k_behind = 0x1e, k_this_side = 0x01, k_everywhere = 0x1f;
 constexpr float k_root2 = 1.41421356f;
 
 // A looking glass in the xy plane, seen at 45 degrees from y = -2; its reflection goes to a glowing
@@ -88,14 +87,7 @@ TEST_P(FoggyGlassStatistics, LightSamplingAndChanceAgree) {
     b.object(square(), glossy(0.4f)).looking_glass.dream = 1;
     b.object(box(), scatter(0.4f, 0.3f, 0.9f), at(0.0f, 0.0f, 0.0f, 4.0f)).visibility.worlds =
         GetParam();
-    const auto panel = [&](float radiance, float y, uint32_t worlds) {
-      const Matrix34 place{0.5f, 0, 0, 0, 0, 0.5f, 0, y, 0, 0, 0.5f, 1.0f};
-      b.object(square(), emission(radiance), place).visibility = {worlds, 0x3e};
-      b.scene.materials.back().sample_as_light = sampled;
-    };
-    panel(2.0f, 0.6f, k_behind);
-    panel(5.0f, -0.3f, k_this_side);
-    b.ortho_camera(turned(40.0f, 0.0f, -0.8f, 1.0f), 0.3f);
+    light_both_sides(b, sampled);
     b.scene.settings.samples = 4096;
     b.scene.settings.max_bounces = b.scene.settings.volume_bounces = 2;
     return mean_of(render(std::move(b.scene)));

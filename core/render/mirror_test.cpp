@@ -10,8 +10,6 @@ namespace {
 
 using namespace testing;
 
-constexpr uint32_t k_behind = 0x1e, k_this_side = 0x01;  // VisibilityDesc::worlds
-
 NodeGraph coated_mirror(float roughness) {
   GraphBuilder g("coated");
   const uint32_t d = g.add("ShaderNodeBsdfDiffuse", {{"Color", grey(0.6f)}});
@@ -171,14 +169,7 @@ TEST_P(MixedGlassStatistics, LightSamplingAndChanceAgree) {
   const auto picture = [&](bool sampled) {
     SceneBuilder b;
     b.object(square(), GetParam().graph).looking_glass.dream = 1;
-    const auto panel = [&](float radiance, float y, uint32_t worlds) {
-      const Matrix34 place{0.5f, 0, 0, 0, 0, 0.5f, 0, y, 0, 0, 0.5f, 1.0f};
-      b.object(square(), emission(radiance), place).visibility = {worlds, 0x3e};
-      b.scene.materials.back().sample_as_light = sampled;
-    };
-    panel(2.0f, 0.6f, k_behind);
-    panel(5.0f, -0.3f, k_this_side);
-    b.ortho_camera(turned(40.0f, 0.0f, -0.8f, 1.0f), 0.3f);
+    light_both_sides(b, sampled);
     b.scene.settings.samples = 2048;
     b.scene.settings.max_bounces = 1;
     return mean_of(render(std::move(b.scene)));

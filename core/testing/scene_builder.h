@@ -252,4 +252,20 @@ inline Matrix34 turned(float degrees, float x, float y, float z) {
   return {1, 0, 0, x, 0, c, -s, y, 0, s, c, z};
 }
 
+// VisibilityDesc::worlds of the sides of the mirror.
+constexpr uint32_t k_behind = 0x1e, k_this_side = 0x01, k_everywhere = 0x1f;
+
+// A glowing panel on each side above a glass in the xy plane, unlike in place and strength, and a
+// slanted look at the glass. `sampled`: as lights, else met by chance alone.
+inline void light_both_sides(SceneBuilder& b, bool sampled) {
+  const auto panel = [&](float radiance, float y, uint32_t worlds) {
+    const Matrix34 place{0.5f, 0, 0, 0, 0, 0.5f, 0, y, 0, 0, 0.5f, 1.0f};
+    b.object(square(), emission(radiance), place).visibility = {worlds, 0x3e};
+    b.scene.materials.back().sample_as_light = sampled;
+  };
+  panel(2.0f, 0.6f, k_behind);
+  panel(5.0f, -0.3f, k_this_side);
+  b.ortho_camera(turned(40.0f, 0.0f, -0.8f, 1.0f), 0.3f);
+}
+
 }  // namespace tenniel::testing
