@@ -73,6 +73,26 @@ INSTANTIATE_TEST_SUITE_P(
         FurnaceCase{"transparent", single("ShaderNodeBsdfTransparent", {{"Color", grey(1.0f)}})}),
     [](const auto& test) { return test.param.name; });
 
+// Every path through white glass ends in the world with all it began with, however often it is
+// reflected inside: what is missing has been dropped, or was cut off by a limit.
+TEST(FurnaceStatistics, GlassSphereIsInvisibleToAThousandth) {
+  for (const bool is_smooth : {true, false}) {
+    for (const float ior : {1.1f, 1.5f, 2.4f}) {
+      SceneBuilder b;
+      b.world(1.0f).ortho_camera(at(0.0f, 0.0f, 5.0f), 2.0f);
+      MeshDesc mesh = sphere();
+      if (!is_smooth) mesh.smooth_flags = nullptr;
+      b.object(std::move(mesh), glass(ior));
+      b.scene.settings.samples = 1024;
+      b.scene.settings.max_bounces = b.scene.settings.min_light_bounces = 1024;
+      b.scene.settings.transmission_bounces = b.scene.settings.glossy_bounces = 1024;
+      const Mean found = mean_of(render(std::move(b.scene)));
+      EXPECT_NEAR(found.value, 1.0, 5e-4) << ior;
+      EXPECT_LT(found.error, 2e-4) << ior;
+    }
+  }
+}
+
 // A plane in the light of a lamp looks the same whether the light is sampled, met by chance, or
 // both, for diffuse and glossy surfaces.
 TEST(EstimatorStatistics, LightSamplingAndChanceAgree) {

@@ -173,11 +173,12 @@ struct FurnaceCase {
   std::function<void(SceneBuilder&)> fill;
 };
 
-NodeGraph filled_glass(float roughness, float sigma, float g) {
+NodeGraph filled_glass(const std::string& distribution, float roughness, float ior, float sigma,
+                       float g) {
   GraphBuilder graph("filled glass");
   const uint32_t surface = graph.add(
-      "ShaderNodeBsdfGlass", {{"Color", grey(1.0f)}, {"Roughness", {roughness}}, {"IOR", {1.3f}}},
-      {{"distribution", std::string(roughness > 0.0f ? "GGX" : "SHARP")}});
+      "ShaderNodeBsdfGlass", {{"Color", grey(1.0f)}, {"Roughness", {roughness}}, {"IOR", {ior}}},
+      {{"distribution", distribution}});
   const uint32_t v = graph.add("ShaderNodeVolumeScatter",
                                {{"Color", grey(1.0f)}, {"Density", {sigma}}, {"Anisotropy", {g}}});
   return graph.surface(surface).volume(v).build();
@@ -205,7 +206,8 @@ const FurnaceCase k_furnaces[] = {
      }},
     {"camera_inside",
      [](SceneBuilder& b) { b.object(sphere(), scatter(0.3f, 0.3f), at(0.0f, 0.0f, 0.0f, 7.0f)); }},
-    {"smooth_glass", [](SceneBuilder& b) { b.object(sphere(), filled_glass(0.0f, 1.0f, 0.3f)); }},
+    {"smooth_glass",
+     [](SceneBuilder& b) { b.object(sphere(), filled_glass("SHARP", 0.0f, 1.3f, 1.0f, 0.3f)); }},
     {"diffuse_inside",
      [](SceneBuilder& b) {
        b.object(sphere(), scatter(1.0f));
@@ -215,16 +217,37 @@ const FurnaceCase k_furnaces[] = {
 
 class MediaFurnaceStatistics : public ::testing::TestWithParam<FurnaceCase> {};
 
-TEST_P(MediaFurnaceStatistics, WhiteMediumIsInvisible) {
+SceneBuilder white_world(int samples) {
   SceneBuilder b;
   b.world(1.0f).ortho_camera(at(0.0f, 0.0f, 5.0f), 2.0f);
-  GetParam().fill(b);
-  b.scene.settings.samples = 512;
+  b.scene.settings.samples = samples;
   b.scene.settings.max_bounces = b.scene.settings.volume_bounces = 1024;
-  b.scene.settings.transmission_bounces = 1024;
+  b.scene.settings.transmission_bounces = b.scene.settings.glossy_bounces = 1024;
   b.scene.settings.diffuse_bounces = 1024;
   b.scene.settings.min_light_bounces = 1024;
+  return b;
+}
+
+TEST_P(MediaFurnaceStatistics, WhiteMediumIsInvisible) {
+  SceneBuilder b = white_world(512);
+  GetParam().fill(b);
   expect_mean(mean_of(render(b.scene)), 1.0, 3e-3);
+}
+
+// Facets that are seen once only lose what they shadow: next to nothing where they are fine.
+TEST(MediaRoughGlassStatistics, WhiteMediumIsInvisibleBehindFineFacets) {
+  SceneBuilder b = white_world(2048);
+  b.object(sphere(), filled_glass("BECKMANN", 0.08f, 1.1f, 1.0f, 0.3f));
+  const Mean found = mean_of(render(b.scene));
+  EXPECT_LT(found.error, 2e-4);
+  EXPECT_NEAR(found.value, 1.0, 1e-3);
+}
+
+// With all that bounces between them nothing is lost on coarse ones either.
+TEST(MediaRoughGlassStatistics, WhiteMediumIsInvisibleBehindCoarseFacets) {
+  SceneBuilder b = white_world(8192);
+  b.object(sphere(), filled_glass("MULTI_GGX", 0.3f, 1.2f, 1.0f, 0.3f));
+  expect_mean(mean_of(render(b.scene)), 1.0, 5e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Media, MediaFurnaceStatistics, ::testing::ValuesIn(k_furnaces),
