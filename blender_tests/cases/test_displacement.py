@@ -68,12 +68,10 @@ class DisplacementTest(RenderTestCase):
             "Height": height(n), "Scale": scale, "Midlevel": midlevel})
 
     def test_methods(self):
-        """Gentle relief on objects of scale 1: BOTH leaves Cycles where either is given up. A wave
-        of scale 0.8 is 2.4 % brighter in the mean (a block 6.6 %) at any resolution, a grid of
-        scale (1.2, 0.8, 1.5) 4 % (11 %)."""
         for method in METHODS:
             for height in (noise, wave, image):
                 self.show(height.__name__, method, self.along_normal(height))
+            self.show("steep", method, self.along_normal(wave, 0.8))
             self.show("ball", method, self.along_normal(noise, 0.5, 0.2), shape="sphere")
             self.show("ball by place", method, self.along_normal(lambda n: noise(n, "Object"), 0.3),
                       shape="sphere")
@@ -103,10 +101,16 @@ class DisplacementTest(RenderTestCase):
         self.show("auto smooth", "DISPLACEMENT", self.along_normal(noise), change=sharpen)
 
     def test_spaces(self):
-        for space in ("OBJECT", "WORLD"):
-            for scale in ((1.2, 0.8, 1.5), (-1.0, 1.0, 1.2)):
-                self.show(f"{space} {scale}", "DISPLACEMENT", self.along_normal(wave, space=space),
-                          rotation=(10, 20, 30), scale=scale)
+        for method in METHODS:
+            for space in ("OBJECT", "WORLD"):
+                for scale in ((1.2, 0.8, 1.5), (-1.0, 1.0, 1.2)):
+                    self.show(f"{space} {scale}", method, self.along_normal(wave, space=space),
+                              rotation=(10, 20, 30), scale=scale)
+
+    def test_steep_by_attribute(self):
+        """Generated coordinates move with the surface."""
+        for scale in ((1, 1, 1), (1.2, 0.8, 1.5)):
+            self.show(f"noise {scale}", "BOTH", self.along_normal(noise, 1.2), scale=scale)
 
     def test_vector(self):
         for space in ("TANGENT", "OBJECT", "WORLD"):

@@ -315,7 +315,8 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.pdf = sample->is_delta ? 0.0f : sample->pdf;
   if (!sample->is_delta) state_.min_pdf = std::min(state_.min_pdf, sample->pdf);
   state_.origin = point;
-  state_.cone = {at.footprint, std::max(state_.cone.spread, 0.5f * sample->roughness)};
+  // As wide as at first sight: a bump's heights apart by what a rough bounce spreads would be flat.
+  state_.cone.radius = at.footprint;
   state_.ray.origin = offset_ray_origin(at, sample->wi);
   state_.ray.direction = sample->wi;
   state_.ray.t_min = 0.0f;

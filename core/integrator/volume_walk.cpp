@@ -55,7 +55,7 @@ MediumEvent VolumeWalk::advance(PathState& state, Worker& worker) const {
   count_volume_bounce(state, settings_);
   state.pdf = s.eval.pdf;
   state.min_pdf = std::min(state.min_pdf, s.eval.pdf);
-  state.cone = {state.cone.radius_at(t), std::max(state.cone.spread, 0.5f)};
+  state.cone.radius = state.cone.radius_at(t);
   state.ray.origin = state.ray.at(t);
   state.ray.direction = s.wi;
   state.ray.t_min = state.skipped_before = 0.0f;

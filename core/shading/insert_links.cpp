@@ -127,7 +127,7 @@ void insert_displacement(ShaderIr& ir, const MaterialSource& source) {
   if (input == ir.at(ir.output).type->inputs.size()) return;
   const IrLink displacement = ir.at(ir.output).links[input];
   if (!displacement.linked()) return;
-  ir.prologue = ir.add(displacement_bump_node());
+  ir.prologue = ir.add(displacement_bump_node(source.displacement == DisplacementMethod::both));
   ir.at(ir.prologue).name = ir.at(ir.output).name;
   ir.link(ir.prologue, 0, displacement);
 }

@@ -79,6 +79,9 @@ NodeRegistry make_registry() {
   registry.add<DisplacementBumpNode>("DisplacementBump")
       .input("displacement", &DisplacementBumpNode::displacement)
       .varying();
+  registry.add<DisplacedBumpNode>("DisplacedBump")
+      .input("displacement", &DisplacedBumpNode::displacement)
+      .varying();
   return registry;
 }
 
@@ -104,8 +107,8 @@ const NodeType& mix_weights_node() {
 const NodeType& add_weights_node() {
   return internal_node("AddWeights");
 }
-const NodeType& displacement_bump_node() {
-  return internal_node("DisplacementBump");
+const NodeType& displacement_bump_node(bool is_displaced) {
+  return internal_node(is_displaced ? "DisplacedBump" : "DisplacementBump");
 }
 
 }  // namespace tenniel

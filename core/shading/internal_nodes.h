@@ -15,6 +15,7 @@ const NodeType& mix_weights_node();
 // inputs: a, b; output: a + b.
 const NodeType& add_weights_node();
 // input: displacement (a program, world space); bends the shading normal of the context.
-const NodeType& displacement_bump_node();
+// `is_displaced`: of a surface that has moved by it already.
+const NodeType& displacement_bump_node(bool is_displaced);
 
 }  // namespace tenniel

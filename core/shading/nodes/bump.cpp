@@ -29,25 +29,59 @@ float bump_step(const SurfaceInteraction& surface) {
   return std::max(2.0f * surface.footprint, 1e-5f * extent);
 }
 
-// Runs `program` at the point and at two points beside it; `read` takes the height from the
-// context.
-template <class Read>
-BumpSample sample_heights(ShadingContext& context, const Program& program, Read read) {
-  const SurfaceInteraction here = context.surface;
+// The point and the two beside it at which heights are taken.
+struct BumpPlaces {
+  SurfaceInteraction here, x, y;
+  Vec3 step_x, step_y;
+};
+
+BumpPlaces places_beside(const SurfaceInteraction& here) {
   const Frame frame = differential_frame(here.geometric_normal);
   const float step = bump_step(here);
-  BumpSample sample;
-  sample.step_x = frame.x * step;
-  sample.step_y = frame.y * step;
+  const Vec3 step_x = frame.x * step, step_y = frame.y * step;
+  return {here, shifted(here, step_x), shifted(here, step_y), step_x, step_y};
+}
+
+// Blender keeps one length for all directions, on the displaced surface as on the old one: seen
+// from attributes, which move with the surface, that of the old one is not the length of the step.
+BumpPlaces undisplaced_places(const SurfaceInteraction& here) {
+  BumpPlaces places = places_beside(here);
+  const Vec3 origin = undisplaced_position(here);
+  const float length_x = length(undisplaced_position(places.x) - origin);
+  const float length_y = length(undisplaced_position(places.y) - origin);
+  const Frame frame = differential_frame(here.geometric_normal);
+  places.step_x = frame.x * (0.5f * (length_x + length_y));
+  places.step_y = frame.y * (0.5f * (length_x + length_y));
+  places.here.position = origin;
+  places.x.position = origin + places.step_x;
+  places.y.position = origin + places.step_y;
+  return places;
+}
+
+// Runs `program` at the three places; `read` takes the height from the context.
+template <class Read>
+BumpSample sample_heights(ShadingContext& context, const BumpPlaces& places, const Program& program,
+                          Read read) {
+  const SurfaceInteraction kept = context.surface;
   const auto height_at = [&](const SurfaceInteraction& place) {
     context.surface = place;
     program.run(context);
     return read(context);
   };
-  sample.height_x = height_at(shifted(here, sample.step_x));
-  sample.height_y = height_at(shifted(here, sample.step_y));
-  sample.height = height_at(here);
+  BumpSample sample{places.step_x, places.step_y};
+  sample.height_x = height_at(places.x);
+  sample.height_y = height_at(places.y);
+  sample.height = height_at(places.here);
+  context.surface = kept;
   return sample;
+}
+
+BumpSample sample_displacement(ShadingContext& context, const BumpPlaces& places,
+                               const ProgramInput<Vec3>& displacement) {
+  return sample_heights(context, places, *displacement.program,
+                        [&displacement, normal = context.closure_normal](ShadingContext& c) {
+                          return dot(c.get(displacement.result), normal);
+                        });
 }
 
 Vec3 raised(const SurfaceInteraction& surface, Vec3 normal) {
@@ -74,8 +108,9 @@ Vec3 bump_normal(const BumpSample& sample, Vec3 normal, float scale, float stren
 void BumpNode::eval(ShadingContext& context) const {
   const Vec3 base = context.normal(normal);
   if (!height.program || !context.surface.mesh) return context.set(result, base);
-  const BumpSample sample = sample_heights(
-      context, *height.program, [this](ShadingContext& c) { return c.get(height.result); });
+  const BumpSample sample =
+      sample_heights(context, places_beside(context.surface), *height.program,
+                     [this](ShadingContext& c) { return c.get(height.result); });
   const float scale = context.get(distance) * (invert ? -1.0f : 1.0f);
   const Vec3 bent = bump_normal(sample, base, scale, std::max(context.get(strength), 0.0f));
   context.set(result, raised(context.surface, bent));
@@ -152,14 +187,22 @@ void VectorDisplacementNode::eval(ShadingContext& context) const {
 
 void DisplacementBumpNode::eval(ShadingContext& context) const {
   if (!displacement.program || !context.surface.mesh) return;
-  const Vec3 normal = context.closure_normal, position = context.surface.position;
-  // Where true displacement has moved it already, the heights are still those of the old place.
-  context.surface.position = undisplaced_position(context.surface);
-  const BumpSample sample = sample_heights(
-      context, *displacement.program,
-      [this, normal](ShadingContext& c) { return dot(c.get(displacement.result), normal); });
-  context.surface.position = position;
-  context.bend_shading_normal(raised(context.surface, bump_normal(sample, normal, 1.0f, 1.0f)));
+  const BumpSample sample =
+      sample_displacement(context, places_beside(context.surface), displacement);
+  const Vec3 bent = bump_normal(sample, context.closure_normal, 1.0f, 1.0f);
+  context.bend_shading_normal(raised(context.surface, bent));
+}
+
+void DisplacedBumpNode::eval(ShadingContext& context) const {
+  const SurfaceInteraction& surface = context.surface;
+  if (!displacement.program || !surface.mesh || !surface.instance) return;
+  BumpSample sample = sample_displacement(context, undisplaced_places(surface), displacement);
+  const Transform to_object = surface.world_to_object();
+  sample.step_x = to_object.vector(sample.step_x);
+  sample.step_y = to_object.vector(sample.step_y);
+  const Vec3 normal = object_normal(surface, context.closure_normal);
+  const Vec3 bent = normal_to_world(surface, bump_normal(sample, normal, 1.0f, 1.0f));
+  context.bend_shading_normal(raised(surface, bent));
 }
 
 void register_bump_nodes(NodeRegistry& registry) {

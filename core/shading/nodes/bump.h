@@ -76,4 +76,12 @@ struct DisplacementBumpNode {
   void eval(ShadingContext& context) const;
 };
 
+// The same where true displacement has moved the surface already (BOTH), as Blender 3.4 does it:
+// the normal tilts in object space, and what shifts positions and what shifts attributes are steps
+// of different length on relief.
+struct DisplacedBumpNode {
+  ProgramInput<Vec3> displacement;
+  void eval(ShadingContext& context) const;
+};
+
 }  // namespace tenniel
