@@ -182,7 +182,10 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   if (s.lobe_class == LobeClass::transparent) s.wi = -wo_;
   if (!reaches(s.lobe_class, s.wi)) return std::nullopt;
   s.pdf = chosen->probability * local->pdf;
-  if (s.is_delta) s.roughness = 0.0f;
+  if (s.is_delta) {
+    s.roughness = 0.0f;
+    s.subsurface = std::get_if<Subsurface>(&chosen->lobe);
+  }
   if (s.is_delta || count_ == 1) {
     s.weight = chosen->weight * local->weight * (1.0f / chosen->probability);
     if (chosen->is_bumped) s.weight *= bump_shadowing(shading_normal_, chosen->frame.z, s.wi);
@@ -230,6 +233,15 @@ Vec3 Bsdf::average_normal() const {
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     if (entry.lobe_class != LobeClass::transparent) sum += entry.frame.z * mean(entry.weight);
+  }
+  return normalize_or(sum, shading_normal_);
+}
+
+Vec3 Bsdf::subsurface_normal() const {
+  Vec3 sum;
+  for (int i = 0; i < count_; ++i) {
+    const Weighted& entry = entries_[static_cast<size_t>(i)];
+    if (std::holds_alternative<Subsurface>(entry.lobe)) sum += entry.frame.z * mean(entry.weight);
   }
   return normalize_or(sum, shading_normal_);
 }

@@ -32,6 +32,8 @@ struct BsdfSample {
   bool is_delta = false;
   bool is_diffuse = false;  // reflected or transmitted by a diffuse lobe
   float roughness = 0.0f;   // alpha of the lobe; 1 for diffuse ones
+  // Set: the path goes on below the surface, and `wi` is the lobe's normal. Lives in the Bsdf.
+  const Subsurface* subsurface = nullptr;
 };
 
 // The weighted lobes of one surface point. Lives on the worker's stack; nothing is allocated.
@@ -70,6 +72,8 @@ class Bsdf {
   Spectrum albedo(LobeSet lobes = LobeSet::all()) const;
   // Mean of the lobes' normals by weight, unit, world space: the Normal pass.
   Vec3 average_normal() const;
+  // The same of the lobes that go below the surface.
+  Vec3 subsurface_normal() const;
   // Widens glossy lobes to at least `alpha` (filter glossy after a rough bounce); perfectly sharp
   // lobes stay. Before or after `finish`.
   void widen(float alpha);

@@ -14,6 +14,7 @@
 #include "bsdf/principled_diffuse.h"
 #include "bsdf/sheen.h"
 #include "bsdf/specular.h"
+#include "bsdf/subsurface.h"
 #include "bsdf/toon.h"
 #include "bsdf/translucent.h"
 #include "bsdf/transparent.h"
@@ -31,10 +32,11 @@ namespace tenniel {
 //   bool make_valid()             clamps the parameters to their range; false if not finite
 //   void widen(alpha)             roughness at least `alpha`; sharp and diffuse lobes stay
 // with directions in the lobe's frame (z = its normal, wo.z > 0).
-using Lobe = std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent,
-                          Transparent, MicrofacetReflection, MicrofacetRefraction, Clearcoat,
-                          SpecularReflection, SpecularRefraction, Velvet, DiffuseToon, GlossyToon,
-                          HairLobe, AshikhminShirley, MultiGgxReflection, MultiGgxTransmission>;
+using Lobe =
+    std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent, Transparent,
+                 MicrofacetReflection, MicrofacetRefraction, Clearcoat, SpecularReflection,
+                 SpecularRefraction, Velvet, DiffuseToon, GlossyToon, HairLobe, AshikhminShirley,
+                 MultiGgxReflection, MultiGgxTransmission, Subsurface>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 

@@ -36,6 +36,11 @@ inline std::vector<LobeCase> diffuse_cases() {
   for (const float r : {0.0f, 0.5f, 1.0f})
     cases.push_back(
         {"PrincipledDiffuse_" + std::to_string(static_cast<int>(r * 100)), PrincipledDiffuse{r}});
+  cases.push_back({"PrincipledLambert", PrincipledDiffuse{0.5f, PrincipledDiffuseTerms::lambert}});
+  cases.push_back(
+      {"PrincipledExit", PrincipledDiffuse{0.5f, PrincipledDiffuseTerms::lambert_exit}});
+  cases.push_back(
+      {"PrincipledRetro", PrincipledDiffuse{0.8f, PrincipledDiffuseTerms::retro_reflection}});
   return cases;
 }
 

@@ -150,6 +150,9 @@ TEST_P(LobeContract, Reciprocal) {
                         std::holds_alternative<GlossyToon>(c.lobe) ||
                         std::holds_alternative<HairLobe>(c.lobe);
   if (is_drawn) GTEST_SKIP() << "a model without physics";
+  const auto* principled = std::get_if<PrincipledDiffuse>(&c.lobe);
+  if (principled && principled->terms == PrincipledDiffuseTerms::lambert_exit)
+    GTEST_SKIP() << "half of a way: light came in elsewhere";
   const auto* refraction = std::get_if<MicrofacetRefraction>(&c.lobe);
   Lobe back = c.lobe;
   if (refraction) std::get<MicrofacetRefraction>(back).eta = 1.0f / refraction->eta;

@@ -70,41 +70,44 @@ RTCRayHit unanswered(const Ray& ray, uint32_t mask) {
   return query;
 }
 
-struct OneInstanceContext {
-  RTCIntersectContext embree;  // first: the filter casts back
-  uint32_t instance;
-};
-
-void keep_one_instance(const RTCFilterFunctionNArguments* args) {
-  // NOLINTNEXTLINE: Embree hands the context back by its first member.
-  const auto* context = reinterpret_cast<const OneInstanceContext*>(args->context);
-  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-  if (hit->geomID != context->instance) args->valid[0] = 0;
-}
-
 uint32_t instance_of(const RTCHit& hit) {
   return hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID;
 }
 
-struct CollectingContext {
-  RTCIntersectContext embree;  // first: the filter casts back
-  std::span<Hit> hits;
-  size_t count;
+constexpr uint32_t k_any_instance = RTC_INVALID_GEOMETRY_ID;
+
+// What a filter knows of its query.
+struct FilterContext {
+  RTCIntersectContext embree;          // first: the filter casts back
+  uint32_t instance = k_any_instance;  // the only one that counts
+  std::span<Hit> hits{};
+  size_t count = 0;
 };
+
+FilterContext& context_of(const RTCFilterFunctionNArguments* args) {
+  // NOLINTNEXTLINE: Embree hands the context back by its first member.
+  return *reinterpret_cast<FilterContext*>(args->context);
+}
+
+void keep_one_instance(const RTCFilterFunctionNArguments* args) {
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  if (instance_of(*hit) != context_of(args).instance) args->valid[0] = 0;
+}
 
 // Notes each hit and takes none, so that the ray goes on to its end.
 void collect(const RTCFilterFunctionNArguments* args) {
-  auto* context = reinterpret_cast<CollectingContext*>(args->context);
+  FilterContext& context = context_of(args);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   args->valid[0] = 0;
   const uint32_t instance = instance_of(*hit);
-  const auto known = context->hits.first(context->count);
+  if (context.instance != k_any_instance && instance != context.instance) return;
+  const auto known = context.hits.first(context.count);
   const bool is_known = std::any_of(known.begin(), known.end(), [&](const Hit& h) {
     return h.face == hit->primID && h.instance == instance;
   });
-  if (is_known || context->count == context->hits.size()) return;
-  context->hits[context->count++] = {ray->tfar, hit->u, hit->v, hit->primID, instance};
+  if (is_known || context.count == context.hits.size()) return;
+  context.hits[context.count++] = {ray->tfar, hit->u, hit->v, hit->primID, instance};
 }
 
 }  // namespace
@@ -119,15 +122,20 @@ struct Accel::State {
   Device device;
   RtcScene top;
   std::vector<RtcScene> mesh_scenes;       // per mesh; null: world-space, empty or unused
-  std::vector<RTCScene> instance_scenes;   // per instance; null: in the top level or skipped
+  std::vector<RtcScene> alone_scenes;      // world-space meshes that are searched alone
+  std::vector<RTCScene> instance_scenes;   // per instance; null: in the top level only, or skipped
   std::vector<Transform> world_to_object;  // per instance
   std::vector<uint8_t> is_attached;        // per instance
+  std::vector<uint8_t> is_instanced;       // per instance: its mesh is not in world space
 
   void open_device();
   RtcScene new_scene() const;
   Geometry new_mesh_geometry(const Mesh& mesh) const;
   RTCScene mesh_scene(const Mesh& mesh, uint32_t index);
   void attach(const Instance& instance, uint32_t index, const Mesh& mesh);
+  RTCScene alone(RTCGeometry geometry);
+  // The smallest scene that holds `instance`, and the ray in its space; null: never hit.
+  RTCScene scene_of(uint32_t instance, const Transform* world_to_object, Ray& ray) const;
   bool commit(RTCScene scene);  // false: cancelled
   // Whether Embree may see `ray`; counts those that it must not.
   bool accepts(const Ray& ray) const {
@@ -209,6 +217,14 @@ RTCScene Accel::State::mesh_scene(const Mesh& mesh, uint32_t index) {
   return mesh_scenes[index].get();
 }
 
+// A second tree over a geometry of the top level: few objects need one.
+RTCScene Accel::State::alone(RTCGeometry geometry) {
+  RtcScene scene = new_scene();
+  rtcAttachGeometry(scene.get(), geometry);
+  if (!commit(scene.get())) return nullptr;
+  return alone_scenes.emplace_back(std::move(scene)).get();
+}
+
 void Accel::State::attach(const Instance& instance, uint32_t index, const Mesh& mesh) {
   if (mesh.face_count() == 0 || !is_usable(instance)) return;
   Geometry geometry;
@@ -228,10 +244,13 @@ void Accel::State::attach(const Instance& instance, uint32_t index, const Mesh& 
                               motion.empty() ? &instance.object_to_world : &motion[i]);
     instance_scenes[index] = inner;
     world_to_object[index] = instance.world_to_object;
+    is_instanced[index] = 1;
   }
   rtcSetGeometryMask(geometry.get(), instance.visibility.bits | k_any_kind);
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometryByID(top.get(), geometry.get(), index);
+  if (mesh.is_world_space && instance.is_searched_alone)
+    instance_scenes[index] = alone(geometry.get());
   is_attached[index] = 1;
   check();
 }
@@ -264,6 +283,7 @@ std::shared_ptr<const Accel> Accel::build(std::span<const Mesh> meshes,
   state.instance_scenes.resize(instances.size());
   state.world_to_object.resize(instances.size());
   state.is_attached.resize(instances.size());
+  state.is_instanced.resize(instances.size());
   state.top = state.new_scene();
   for (uint32_t i = 0; i < instances.size() && !cancelled.load(); ++i)
     if (instances[i].mesh < meshes.size()) state.attach(instances[i], i, meshes[instances[i].mesh]);
@@ -289,11 +309,10 @@ size_t Accel::intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) 
   if (!state_->top) return 0;
   if (!state_->accepts(ray)) return 0;
   RTCRayHit query = unanswered(ray, mask);
-  CollectingContext context;
+  FilterContext context;
   rtcInitIntersectContext(&context.embree);
   context.embree.filter = collect;
   context.hits = hits;
-  context.count = 0;
   rtcIntersect1(state_->top.get(), &context.embree, &query);
   return context.count;
 }
@@ -308,26 +327,50 @@ bool Accel::occluded(const Ray& ray, uint32_t mask) const {
   return query.tfar < 0.0f;
 }
 
-std::optional<Hit> Accel::intersect_instance(const Ray& ray, uint32_t instance) const {
-  if (!state_->top || instance >= state_->is_attached.size() || !state_->is_attached[instance])
-    return {};
-  Ray local = ray;
-  const RTCScene inner = state_->instance_scenes[instance];
-  if (inner != nullptr) {
+RTCScene Accel::State::scene_of(uint32_t instance, const Transform* to_object, Ray& ray) const {
+  if (!top || instance >= is_attached.size() || !is_attached[instance]) return nullptr;
+  if (is_instanced[instance]) {
+    if (to_object == nullptr) to_object = &world_to_object[instance];
     // Not normalised again: `t` stays in metres of the world.
-    const Transform& to_object = state_->world_to_object[instance];
-    local.origin = to_object.point(ray.origin);
-    local.direction = to_object.vector(ray.direction);
+    ray.origin = to_object->point(ray.origin);
+    ray.direction = to_object->vector(ray.direction);
   }
-  if (!state_->accepts(local)) return {};
+  if (!accepts(ray)) return nullptr;
+  return instance_scenes[instance] != nullptr ? instance_scenes[instance] : top.get();
+}
+
+std::optional<Hit> Accel::intersect_instance(const Ray& ray, uint32_t instance,
+                                             const Transform* world_to_object) const {
+  Ray local = ray;
+  const RTCScene scene = state_->scene_of(instance, world_to_object, local);
+  if (scene == nullptr) return {};
   RTCRayHit query = unanswered(local, k_any_kind);
-  OneInstanceContext context;
+  FilterContext context;
   rtcInitIntersectContext(&context.embree);
   context.instance = instance;
-  if (inner == nullptr) context.embree.filter = keep_one_instance;
-  rtcIntersect1(inner != nullptr ? inner : state_->top.get(), &context.embree, &query);
+  if (scene == state_->top.get()) context.embree.filter = keep_one_instance;
+  rtcIntersect1(scene, &context.embree, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return Hit{query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID, instance};
+}
+
+size_t Accel::intersect_all_of_instance(const Ray& ray, uint32_t instance,
+                                        const Transform& world_to_object,
+                                        std::span<Hit> hits) const {
+  Ray local = ray;
+  const RTCScene scene = state_->scene_of(instance, &world_to_object, local);
+  if (scene == nullptr) return 0;
+  RTCRayHit query = unanswered(local, k_any_kind);
+  FilterContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = collect;
+  context.hits = hits;
+  const bool is_shared = scene == state_->top.get();
+  if (is_shared) context.instance = instance;
+  rtcIntersect1(scene, &context.embree, &query);
+  for (size_t i = 0; i < context.count; ++i)
+    hits[i].instance = instance;
+  return context.count;
 }
 
 Bounds3 Accel::bounds() const {

@@ -31,8 +31,13 @@ class Accel {
   bool occluded(const Ray& ray, uint32_t mask) const;
   // All hits, as many as `hits` holds, in no order; how many. A face counts once.
   size_t intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const;
-  // Closest hit with one instance only, whatever its mask.
-  std::optional<Hit> intersect_instance(const Ray& ray, uint32_t instance) const;
+  // Closest hit with one instance only, whatever its mask. `world_to_object`: where it stands at
+  // the ray's time; null: in the middle of the shutter. Fast where Instance::is_searched_alone.
+  std::optional<Hit> intersect_instance(const Ray& ray, uint32_t instance,
+                                        const Transform* world_to_object = nullptr) const;
+  // All hits with it, as intersect_all.
+  size_t intersect_all_of_instance(const Ray& ray, uint32_t instance,
+                                   const Transform& world_to_object, std::span<Hit> hits) const;
 
   Bounds3 bounds() const;          // world space, of all instances
   size_t memory_bytes() const;     // what Embree holds

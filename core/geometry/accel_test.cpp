@@ -201,15 +201,41 @@ TEST(Accel, QueriesOneInstanceThroughOthers) {
   move_to_world_space(w.meshes[1], at_height(1.0f, 1.0f));
   w.instances = {place(0, at_height(2.0f, 1.0f)), place(1, at_height(1.0f, 1.0f)),
                  place(2, at_height(0.5f, 3.0f))};
-  w.build();
   const Ray ray{{0.5f, 0.5f, 4.0f}, {0, 0, -1}};
-  for (uint32_t i = 0; i < 3; ++i) {
-    const auto hit = w.accel->intersect_instance(ray, i);
-    ASSERT_TRUE(hit) << i;
-    EXPECT_EQ(hit->instance, i);
-    EXPECT_FLOAT_EQ(hit->t, i == 0 ? 2.0f : i == 1 ? 3.0f : 3.5f);
+  for (const bool is_searched_alone : {false, true}) {
+    for (Instance& instance : w.instances)
+      instance.is_searched_alone = is_searched_alone;
+    w.build();
+    for (uint32_t i = 0; i < 3; ++i) {
+      const auto hit = w.accel->intersect_instance(ray, i);
+      ASSERT_TRUE(hit) << i;
+      EXPECT_EQ(hit->instance, i);
+      EXPECT_FLOAT_EQ(hit->t, i == 0 ? 2.0f : i == 1 ? 3.0f : 3.5f);
+      std::array<Hit, 4> hits;
+      ASSERT_EQ(w.accel->intersect_all_of_instance(ray, i, w.instances[i].world_to_object, hits),
+                1u);
+      EXPECT_EQ(hits[0].instance, i);
+      EXPECT_FLOAT_EQ(hits[0].t, hit->t);
+    }
+    EXPECT_FALSE(w.accel->intersect_instance(ray, 3));
+    EXPECT_EQ(w.accel->intersect(ray, 1u)->instance, 0u) << "the top level is as it was";
   }
-  EXPECT_FALSE(w.accel->intersect_instance(ray, 3));
+}
+
+// Where an object moves, it is asked for at a time of its own.
+TEST(Accel, QueriesOneInstanceWhereItIs) {
+  World w;
+  w.meshes.push_back(test::sphere(0.4f));
+  w.instances = {place(0)};
+  w.build();
+  const Transform moved{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-3, 0, 0}};
+  const Ray ray{{3.0f, 0.0f, 2.0f}, {0, 0, -1}};
+  EXPECT_FALSE(w.accel->intersect_instance(ray, 0));
+  const auto hit = w.accel->intersect_instance(ray, 0, &moved);
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->t, 1.6f, 1e-3f);
+  std::array<Hit, 4> hits;
+  EXPECT_EQ(w.accel->intersect_all_of_instance(ray, 0, moved, hits), 2u) << "in and out";
 }
 
 TEST(Accel, SkipsWhatHasNoVolumeOfItsOwn) {

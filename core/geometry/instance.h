@@ -39,6 +39,7 @@ struct Instance {
   float pass_index = 0.0f;
   float random = 0.0f;  // [0, 1] of Object Info
   bool is_holdout = false;
+  bool is_searched_alone = false;  // rays below its surface look for it alone
   // Below this cosine shadow rays leave smooth faces from the surface that the normals describe.
   float terminator_cutoff = 0.0f;
   Vec3 generated;  // instancer's generated coordinate and UV, for `from_instancer`

@@ -39,6 +39,7 @@ inline void count_bounce(PathState& state, const BsdfSample& sample, const Rende
   info.is_singular = sample.is_delta;
   info.is_reflection = sample.lobe_class != LobeClass::transmission;
   info.is_diffuse = sample.is_diffuse;
+  info.has_diffuse_ancestor |= sample.is_diffuse;
   state.ends_after_transparent |= reached;
   state.sees_background = false;
   state.is_specular_so_far &= sample.is_delta;

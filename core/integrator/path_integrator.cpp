@@ -8,6 +8,7 @@
 #include "integrator/media_transmittance.h"
 #include "integrator/mirror.h"
 #include "integrator/path_state.h"
+#include "integrator/subsurface.h"
 #include "integrator/volume_walk.h"
 
 namespace tenniel {
@@ -45,6 +46,8 @@ class PathTracer {
   bool survives(float u);
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
+  bool scatter_below(const SurfaceInteraction& at, const BsdfSample& sample);
+  void take_numbers();
   bool may_still_meet_light();
   bool pass_through(const SurfaceInteraction& at, Spectrum weight, const WorldGroup& group);
   bool pass_on(const SurfaceInteraction& at, const WorldGroup& group);
@@ -105,13 +108,16 @@ SampleResult PathTracer::trace(Vec2 raster) {
     const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
     const ShadingPoint point{at.position, at.shading_normal,
                              !bsdf.smooth_lobes().has(LobeClass::transmission)};
-    if (!state_.ends_after_transparent)
-      numbers_ = worker_.sampler.vertex_numbers(k_camera_dimensions +
-                                                state_.vertices * k_dimensions_per_vertex);
+    if (!state_.ends_after_transparent) take_numbers();
     add_direct_light(groups, point);
     if (!bounce(at, groups, point)) break;
   }
   return result_;
+}
+
+void PathTracer::take_numbers() {
+  numbers_ = worker_.sampler.vertex_numbers(k_camera_dimensions +
+                                            state_.vertices * k_dimensions_per_vertex);
 }
 
 void PathTracer::add(Spectrum radiance, int bounces, bool is_through_glass) {
@@ -295,6 +301,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   }
   auto sample = context.bsdf.sample(numbers_.lobe, numbers_.wi);
   if (!sample) return false;
+  if (sample->subsurface) return scatter_below(at, *sample);
   const WorldGroup& group = groups.of(sample->lobe_class);
   if (sample->lobe_class == LobeClass::transparent) return pass_through(at, sample->weight, group);
 
@@ -323,6 +330,30 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.t_max = k_infinity;
   state_.length_before = 0.0f;
   return survives(numbers_.roulette) && (!state_.ends_after_transparent || may_still_meet_light());
+}
+
+// Below the surface of the object and out again, as one vertex more that counts as no bounce: its
+// diffuse lobe is what the light at the exit meets.
+bool PathTracer::scatter_below(const SurfaceInteraction& at, const BsdfSample& sample) {
+  const Subsurface lobe = *sample.subsurface;
+  const float footprint = at.footprint;
+  const uint32_t seed = hash_uint(float_bits(numbers_.lobe), float_bits(numbers_.roulette));
+  const SubsurfaceEntry entry{at,          sample.wi,         state_.throughput * sample.weight,
+                              numbers_.wi, numbers_.roulette, seed};
+  const auto exit = find_exit(scene_, lobe, entry);
+  if (!exit || !is_finite(exit->throughput)) return false;
+  state_.throughput = exit->throughput;
+  SurfaceInteraction& out = worker_.surface.surface;  // was `at`
+  out = scene_.interaction(exit->ray, exit->hit, footprint);
+  if (!scene_.filled_instances.empty())
+    state_.media = media_around(scene_, offset_ray_origin(out, out.wo), state_.info.world);
+  shade_exit(scene_, lobe, state_.info, worker_.surface);
+  ++state_.vertices;
+  take_numbers();
+  const WorldGroups groups = world_groups(out.instance->looking_glass, state_);
+  const ShadingPoint point{out.position, out.shading_normal, true};
+  add_direct_light(groups, point);
+  return bounce(out, groups, point);
 }
 
 // The last segment of a path can only pick up light: where none lies ahead it need not be traced.

@@ -237,12 +237,13 @@ void SceneCompiler::compile_geometry() {
   });
   if (is_cancelled()) return;
 
-  for (const Instance& instance : scene.instances) {
+  for (Instance& instance : scene.instances) {
     if (instance.looking_glass.dream > 0) scene.has_looking_glasses = true;
     if (!instance.motion.empty()) scene.has_motion = true;
     for (const auto* list : {&instance.materials, &instance.behind_materials}) {
       for (const uint32_t m : *list) {
         const Material& material = scene.materials[m];
+        instance.is_searched_alone |= material.has_subsurface;
         scene.has_emissive_surfaces |= material.emits;
         scene.has_transparent_shadows |= material.is_transparent && material.use_transparent_shadow;
       }

@@ -40,6 +40,18 @@ void report_notes(const ShaderIr& ir, uint8_t query, const CompileContext& conte
   }
 }
 
+void find_subsurface(const ShaderIr& ir, Material& material) {
+  for (const IrClosure& closure : closures_of_query(ir, k_query_scatter)) {
+    const IrNode& node = ir.at(closure.node);
+    if (!node.type->has_subsurface || !node.type->has_subsurface(node.data.get())) continue;
+    material.has_subsurface = true;
+    material.bends_subsurface |= ir.prologue >= 0;
+    for (size_t i = 0; i < node.type->inputs.size(); ++i)
+      material.bends_subsurface |=
+          node.type->inputs[i].identifier == "Normal" && node.links[i].linked();
+  }
+}
+
 // Before implicit inputs are linked: a sky that is asked for plain directions shows its sun where
 // it says.
 void find_suns(const ShaderIr& ir, Material& material) {
@@ -145,6 +157,7 @@ Material compile_material(const MaterialSource& source, CompileContext& given) {
   material.emits = !closures_of_query(ir, k_query_emission).empty();
   material.is_transparent = !material.transparency.empty();
   material.has_surface = ir.has_surface || !ir.has_volume;
+  if (query & k_query_scatter) find_subsurface(ir, material);
   report_notes(ir, k_query_surface, context);
   find_constant_emission(ir, source.domain, material);
   if (material.is_emission_constant && is_black(material.constant_emission)) material.emits = false;

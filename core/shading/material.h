@@ -31,8 +31,10 @@ struct Material {
   bool is_transparent = false;  // may let shadow rays through
   bool is_emission_constant = false;
   Spectrum constant_emission;
-  bool has_surface = true;  // false: only Volume is linked (index-matched boundary)
-  bool has_volume = false;  // may be filled with something
+  bool has_subsurface = false;    // may add lobes that go below the surface
+  bool bends_subsurface = false;  // and around another normal than the surface's own
+  bool has_surface = true;        // false: only Volume is linked (index-matched boundary)
+  bool has_volume = false;        // may be filled with something
   bool is_volume_constant = false;
   MediumProperties constant_volume;  // its emission included
   // How far true displacement moves the surface, world space; read only if `displaces`.

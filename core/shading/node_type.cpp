@@ -50,6 +50,7 @@ const NodeRegistry& node_registry() {
     register_closure_nodes(all);
     register_artistic_closures(all);
     register_tracing_nodes(all);
+    register_subsurface_nodes(all);
     register_principled_nodes(all);
     register_volume_nodes(all);
     register_bump_nodes(all);

@@ -108,6 +108,8 @@ struct NodeType {
   const char* (*note)(const void* node) = nullptr;
   // Makes what the node keeps besides its settings, once they are set; null: nothing.
   void (*prepare)(void* node) = nullptr;
+  // Whether this closure, as it is set, may take light below the surface; null: never.
+  bool (*has_subsurface)(const void* node) = nullptr;
   // A sun that this texture shows where it is asked for plain directions; null: never.
   std::optional<SunDisk> (*sun_disk)(const void* node) = nullptr;
   InputInfo closure_weight;  // of a closure: its Input<float> weight, set by the compiler
@@ -127,7 +129,8 @@ struct NodeType {
 // and `uint8_t closure_parts() const`. Nodes that only direct closures (Mix Shader, outputs) have
 // no eval: the compiler takes them apart. A closure node's eval adds only the parts that
 // ShadingContext::query asks for, each scaled by `weight`. `const char* note() const`,
-// `void prepare()` and `std::optional<SunDisk> sun_disk() const` are optional.
+// `bool has_subsurface() const`, `void prepare()` and `std::optional<SunDisk> sun_disk() const` are
+// optional.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -250,6 +253,10 @@ class NodeRegistry {
     }
     if constexpr (requires(const Node& node) { node.note(); })
       type.note = [](const void* node) { return static_cast<const Node*>(node)->note(); };
+    if constexpr (requires(const Node& node) { node.has_subsurface(); })
+      type.has_subsurface = [](const void* node) {
+        return static_cast<const Node*>(node)->has_subsurface();
+      };
     if constexpr (requires(Node & node) { node.prepare(); })
       type.prepare = [](void* node) { static_cast<Node*>(node)->prepare(); };
     if constexpr (requires(const Node& node) { node.sun_disk(); })

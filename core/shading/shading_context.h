@@ -45,6 +45,7 @@ struct PathInfo {
   int transparent_depth = 0;
   bool is_diffuse = false;  // the last bounce was diffuse, off the surface or through it
   int volume_depth = 0;
+  bool has_diffuse_ancestor = false;  // some bounce so far was diffuse
 };
 
 // Camera facts that Texture Coordinate, Camera Data and Vector Transform read.

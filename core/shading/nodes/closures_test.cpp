@@ -191,17 +191,17 @@ TEST(Principled, AlphaDimsEverythingButTransparency) {
   EXPECT_NEAR(bsdf.albedo(LobeSet::of(LobeClass::diffuse)).r, 0.1f, 1e-6f);
 }
 
-TEST(Principled, NamesItsPartsAndWhatItLacks) {
+TEST(Principled, NamesItsParts) {
   PrincipledV1Node node = principled();
   EXPECT_EQ(node.closure_parts(), k_query_scatter);
-  EXPECT_EQ(node.note(), nullptr);
+  EXPECT_FALSE(node.has_subsurface());
   node.emission.value = Spectrum(1.0f);
   node.alpha.source = 0;
   EXPECT_EQ(node.closure_parts(), k_query_surface);
   node.alpha = {0.0f};
   EXPECT_EQ(node.closure_parts(), k_query_transparency);
   node.subsurface.value = 0.1f;
-  EXPECT_NE(node.note(), nullptr);
+  EXPECT_TRUE(node.has_subsurface());
 }
 
 // Every parameter at the ends of its range, from head-on to grazing.

@@ -7,6 +7,7 @@
 #include "math/numeric.h"
 #include "shading/nodes/closures.h"
 #include "shading/nodes/register.h"
+#include "shading/nodes/subsurface.h"
 #include "shading/surface_tangent.h"
 
 namespace tenniel {
@@ -33,8 +34,8 @@ struct Principled {
     context.bsdf.add(lobe, factor * weight, normal);
   }
 
-  void add_diffuse(Spectrum color) const {
-    if (diffuse_weight > k_weight_cutoff) add(PrincipledDiffuse{roughness}, color * diffuse_weight);
+  void add_diffuse() const {
+    if (diffuse_weight > k_weight_cutoff) add(PrincipledDiffuse{roughness}, base * diffuse_weight);
   }
 
   void add_sheen(float sheen, float tint) const {
@@ -87,11 +88,22 @@ void PrincipledV1Node::scatter(ShadingContext& context, float opacity) const {
   const float metal = saturate(context.get(metallic));
   const float glass = saturate(context.get(transmission));
   const float rough = saturate(context.get(roughness));
-  const Spectrum base = context.get(base_color);
+  Spectrum base = context.get(base_color);
   const Vec3 n = context.normal(normal);
+  const float share = context.get(subsurface);
+  const Spectrum mixed = lerp(base, context.get(subsurface_color), share);
+  // Behind a diffuse bounce nobody sees what is below, and it would be noise.
+  const bool is_deep = share > k_weight_cutoff && !context.path.has_diffuse_ancestor;
+  if (context.path.has_diffuse_ancestor) base = mixed;
   const Principled p{
       context, n, base, opacity, rough, (1.0f - metal) * (1.0f - glass), glass * (1.0f - metal)};
-  p.add_diffuse(lerp(base, context.get(subsurface_color), saturate(context.get(subsurface))));
+  if (is_deep)
+    add_subsurface(context,
+                   {subsurface_method, mixed, context.get(subsurface_radius) * share,
+                    context.get(subsurface_ior), context.get(subsurface_anisotropy), n},
+                   mixed * (p.diffuse_weight * opacity), rough);
+  else
+    p.add_diffuse();
   p.add_sheen(context.get(sheen), context.get(sheen_tint));
 
   const float spec = std::max(context.get(specular), 0.0f);
@@ -144,19 +156,16 @@ uint8_t PrincipledV1Node::closure_parts() const {
                               (passes ? k_query_transparency : 0));
 }
 
-const char* PrincipledV1Node::note() const {
-  const bool is_subsurface = subsurface.linked() || subsurface.value > 0.0f;
-  return is_subsurface ? "subsurface scattering is not supported yet; it is shown as diffuse"
-                       : nullptr;
-}
-
 void register_principled_nodes(NodeRegistry& registry) {
   using Node = PrincipledV1Node;
   constexpr uint8_t scatter = k_query_scatter, emission = k_query_emission;
   registry.add<Node>("ShaderNodeBsdfPrincipled")
       .input("Base Color", &Node::base_color, scatter)
       .input("Subsurface", &Node::subsurface, scatter)
+      .input("Subsurface Radius", &Node::subsurface_radius, scatter)
       .input("Subsurface Color", &Node::subsurface_color, scatter)
+      .input("Subsurface IOR", &Node::subsurface_ior, scatter)
+      .input("Subsurface Anisotropy", &Node::subsurface_anisotropy, scatter)
       .input("Metallic", &Node::metallic, scatter)
       .input("Specular", &Node::specular, scatter)
       .input("Specular Tint", &Node::specular_tint, scatter)
@@ -182,6 +191,10 @@ void register_principled_nodes(NodeRegistry& registry) {
       .choice(
           "distribution", &Node::distribution,
           {{"GGX", PrincipledDistribution::ggx}, {"MULTI_GGX", PrincipledDistribution::multi_ggx}})
+      .choice("subsurface_method", &Node::subsurface_method,
+              {{"BURLEY", SubsurfaceMethod::christensen_burley},
+               {"RANDOM_WALK_FIXED_RADIUS", SubsurfaceMethod::fixed_radius_walk},
+               {"RANDOM_WALK", SubsurfaceMethod::random_walk}})
       .closure_output("BSDF")
       .closure();
 }

@@ -12,7 +12,9 @@ struct PrincipledV1Node {
   Input<float> weight;
   Input<Spectrum> base_color{Spectrum(0.8f)};
   Input<float> subsurface{0.0f};
+  Input<Vec3> subsurface_radius{{1.0f, 0.2f, 0.1f}};
   Input<Spectrum> subsurface_color{Spectrum(0.8f)};
+  Input<float> subsurface_ior{1.4f}, subsurface_anisotropy{0.0f};
   Input<float> metallic{0.0f}, specular{0.5f}, specular_tint{0.0f}, roughness{0.5f};
   Input<float> anisotropic{0.0f}, anisotropic_rotation{0.0f};
   Input<float> sheen{0.0f}, sheen_tint{0.5f};
@@ -22,10 +24,11 @@ struct PrincipledV1Node {
   Input<float> emission_strength{1.0f}, alpha{1.0f};
   Input<Vec3> normal, clearcoat_normal, tangent;
   PrincipledDistribution distribution = PrincipledDistribution::ggx;
+  SubsurfaceMethod subsurface_method = SubsurfaceMethod::random_walk;
 
   void eval(ShadingContext& context) const;
   uint8_t closure_parts() const;
-  const char* note() const;
+  bool has_subsurface() const { return subsurface.linked() || subsurface.value > 0.0f; }
 
  private:
   void scatter(ShadingContext& context, float opacity) const;

@@ -21,6 +21,7 @@ void register_sky_nodes(NodeRegistry& registry);
 void register_closure_nodes(NodeRegistry& registry);
 void register_artistic_closures(NodeRegistry& registry);
 void register_tracing_nodes(NodeRegistry& registry);
+void register_subsurface_nodes(NodeRegistry& registry);
 void register_principled_nodes(NodeRegistry& registry);
 void register_volume_nodes(NodeRegistry& registry);
 void register_bump_nodes(NodeRegistry& registry);
