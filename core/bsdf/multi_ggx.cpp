@@ -34,13 +34,25 @@ float density(const MultiScatter& s, Vec3 m) {
   return ggx::normal_density(m, s.alpha_x, s.alpha_y);
 }
 
+// What a walk over glass is for: light that ends on either side, or on one alone. Walks that end on
+// the other side are thrown away, so the first facet is made to lead where they are wanted.
+enum class Sought : uint8_t { either, reflected, passed };
+
+// Probability that the first facet reflects. The event that is not sought keeps half of its true
+// chance, so that no walk weighs more than twice.
+float reflection_chance(float reflectance, Sought sought) {
+  if (sought == Sought::either || !(reflectance < 1.0f)) return reflectance;
+  return sought == Sought::reflected ? 0.5f + 0.5f * reflectance : 0.5f * reflectance;
+}
+
 // What a facet makes of light along `w` into `out`, per solid angle, and the tint of it.
-Spectrum phase(const MultiScatter& s, Vec3 w, Vec3 out, float eta) {
+Spectrum phase(const MultiScatter& s, Vec3 w, Vec3 out, float eta, Sought sought = Sought::either) {
   if (out.z > 0.0f) {
     const Vec3 m = normalize_or(out - w, {0.0f, 0.0f, -1.0f});
     const float cosine = dot(-w, m);
     if (!(m.z > 0.0f) || !(cosine > 0.0f)) return {};
-    const float reflectance = eta > 0.0f ? fresnel_dielectric(cosine, eta) : 1.0f;
+    const float reflectance =
+        eta > 0.0f ? reflection_chance(fresnel_dielectric(cosine, eta), sought) : 1.0f;
     return s.reflecting(cosine) * (reflectance * density(s, m) / (4.0f * met_area(s, w)));
   }
   if (!(eta > 0.0f)) return {};
@@ -50,7 +62,7 @@ Spectrum phase(const MultiScatter& s, Vec3 w, Vec3 out, float eta) {
   const float cos_in = dot(-w, m), cos_out = dot(out, m);
   if (!(m.z > 0.0f) || !(cos_in > 0.0f) || !(cos_out < 0.0f)) return {};
   const float jacobian = sqr(eta) * -cos_out / std::max(sqr(cos_in + eta * cos_out), 1e-12f);
-  const float transmittance = 1.0f - fresnel_dielectric(cos_in, eta);
+  const float transmittance = 1.0f - reflection_chance(fresnel_dielectric(cos_in, eta), sought);
   return s.passing * (transmittance * cos_in * density(s, m) * jacobian / met_area(s, w));
 }
 
@@ -58,8 +70,8 @@ Spectrum phase(const MultiScatter& s, Vec3 w, Vec3 out, float eta) {
 // them below the light. Inside the material everything is mirrored at the mean plane.
 class Walk {
  public:
-  Walk(const MultiScatter& surface, Vec3 wo, uint32_t seed)
-      : s_(surface), random_(seed), w_(-wo), eta_(surface.eta) {}
+  Walk(const MultiScatter& surface, Vec3 wo, uint32_t seed, Sought sought = Sought::either)
+      : s_(surface), random_(seed), w_(-wo), eta_(surface.eta), sought_(sought) {}
 
   // False when the light has left.
   bool meets_surface() {
@@ -81,7 +93,7 @@ class Walk {
     const float cosine = dot(-w_, m);
     const float u = random_.get_1d();
     if (order_++ > 0) throughput_ *= s_.tint;
-    const bool reflects = !(eta_ > 0.0f) || u < fresnel_dielectric(cosine, eta_);
+    const bool reflects = !(eta_ > 0.0f) || is_reflected(fresnel_dielectric(cosine, eta_), u);
     const auto refracted = reflects ? std::nullopt : refract(-w_, m, eta_);
     if (!refracted) {
       throughput_ *= s_.reflecting(cosine);
@@ -109,10 +121,21 @@ class Walk {
   Spectrum throughput() const { return throughput_; }
 
  private:
+  // Chooses, and pays for a chance that is not the true one.
+  bool is_reflected(float reflectance, float u) {
+    const Sought sought = order_ == 1 ? sought_ : Sought::either;
+    const float chance = reflection_chance(reflectance, sought);
+    const bool reflects = u < chance;
+    if (sought != Sought::either)
+      throughput_ *= reflects ? reflectance / chance : (1.0f - reflectance) / (1.0f - chance);
+    return reflects;
+  }
+
   const MultiScatter& s_;
   LocalRandom random_;
   Vec3 w_;
   float eta_, depth_ = 1.0f;
+  Sought sought_;
   Spectrum throughput_{1.0f};
   int order_ = 0;
   bool is_outside_ = true;
@@ -144,16 +167,21 @@ float single_share(const MultiScatter& s) {
   return 1.0f / (1.0f + 0.9f * s.alpha_x * s.alpha_y);
 }
 
+Sought sought_in(Vec3 wi) {
+  return wi.z > 0.0f ? Sought::reflected : Sought::passed;
+}
+
 // One bounce where there is but one, the cosine for the rest.
 float approximate_pdf(const MultiScatter& s, Vec3 wo, Vec3 wi) {
   MultiScatter plain = s;
   plain.reflecting = Fresnel::none();
   plain.passing = Spectrum(1.0f);
-  const float once = phase(plain, -wo, wi, s.eta).r;
+  const Sought sought = sought_in(wi);
+  const float once = phase(plain, -wo, wi, s.eta, sought).r;
   float share = 1.0f;
   if (s.eta > 0.0f) {
-    const float reflectance = fresnel_dielectric(wo.z, s.eta);
-    share = wi.z > 0.0f ? reflectance : 1.0f - reflectance;
+    const float reflects = reflection_chance(fresnel_dielectric(wo.z, s.eta), sought);
+    share = wi.z > 0.0f ? reflects : 1.0f - reflects;
   }
   const float single = single_share(s);
   return single * once + (1.0f - single) * (share + 0.01f) * std::abs(wi.z) * k_inv_pi;
@@ -161,7 +189,8 @@ float approximate_pdf(const MultiScatter& s, Vec3 wo, Vec3 wi) {
 
 std::optional<LobeSample> sample_walk(const MultiScatter& s, Vec3 wo, Vec2 u, bool passes) {
   if (!(wo.z > 0.0f)) return std::nullopt;
-  Walk walk(s, wo, hash_uint(s.seed, float_bits(u.x), float_bits(u.y)));
+  Walk walk(s, wo, hash_uint(s.seed, float_bits(u.x), float_bits(u.y)),
+            passes ? Sought::passed : Sought::reflected);
   for (int order = 0; order <= k_max_orders; ++order) {
     if (!walk.meets_surface()) {
       const Vec3 wi = walk.direction();
@@ -177,6 +206,20 @@ std::optional<LobeSample> sample_walk(const MultiScatter& s, Vec3 wo, Vec2 u, bo
 
 float macro_reflectance(const MultiScatter& s, Vec3 wo) {
   return s.eta > 0.0f ? fresnel_dielectric(wo.z, s.eta) : 1.0f;
+}
+
+// The same over facets that lean either way: where a smooth surface reflects all a rough one lets
+// much through.
+float mean_reflectance(const MultiScatter& s, Vec3 wo) {
+  if (!(s.eta > 0.0f)) return 1.0f;
+  const float tilt = std::min(std::sqrt(s.alpha_x * s.alpha_y), 1.0f);
+  const float scale = 1.0f / std::sqrt(1.0f + sqr(tilt));
+  const float level = wo.z * scale,
+              lean = tilt * std::sqrt(std::max(1.0f - sqr(wo.z), 0.0f)) * scale;
+  const auto of = [&s](float cosine) {
+    return fresnel_dielectric(std::clamp(cosine, 0.0f, 1.0f), s.eta);
+  };
+  return (of(wo.z) + of(level + lean) + of(level - lean)) * (1.0f / 3.0f);
 }
 
 }  // namespace
@@ -202,11 +245,10 @@ void MultiGgxTransmission::widen(float alpha) {
 }
 
 Spectrum MultiGgxReflection::albedo(Vec3 wo) const {
-  return surface.reflecting(wo.z) * macro_reflectance(surface, wo);
+  return surface.reflecting(wo.z) * mean_reflectance(surface, wo);
 }
 Spectrum MultiGgxTransmission::albedo(Vec3 wo) const {
-  // A rough surface lets some through even where a smooth one reflects all.
-  return surface.passing * std::max(1.0f - macro_reflectance(surface, wo), 0.05f);
+  return surface.passing * std::max(1.0f - mean_reflectance(surface, wo), 0.05f);
 }
 
 LobeEval MultiGgxReflection::eval(Vec3 wo, Vec3 wi) const {
