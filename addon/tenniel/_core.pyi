@@ -48,6 +48,7 @@ class NodeGraph:
     """A shader tree, flattened. Sockets and settings by Blender's identifiers."""
     name: str
     output: int  # index of the output node, -1 = none
+    aov_outputs: list[int]  # AOV Output nodes
     def add_node(self, type: str, name: str) -> int: ...
     def set_input(self, node: int, socket: str, value: Sequence[float]) -> None:
         """1, 3 or 4 floats."""
@@ -154,6 +155,10 @@ class ImageDesc:
     is_data: bool
     is_float: bool
 
+class AovDesc:
+    name: str
+    is_color: bool  # RGBA, else one number
+
 class CameraDesc:
     type: str  # PERSP, ORTHO, PANO
     camera_to_world: Sequence[float]
@@ -205,6 +210,7 @@ class RenderSettings:
     caustics_refractive: bool
     film_transparent: bool
     film_exposure: float
+    pass_alpha_threshold: float  # what is less opaque leaves Depth, Normal and AOVs to what is behind
     pixel_filter: str  # BOX, GAUSSIAN, BLACKMAN_HARRIS
     filter_width: float
     texture_limit: int
@@ -220,6 +226,8 @@ class SceneDescription:
     def add_world(self, world: WorldDesc) -> int:
         """The first is the scene's World; the next four are those of dreams 1..4."""
     def add_image(self, image: ImageDesc) -> int: ...
+    def add_aov(self, aov: AovDesc) -> int:
+        """A pass that `RenderSession.read_pass` knows by this name too."""
 
 class Diagnostic:
     severity: str
@@ -243,7 +251,7 @@ def node_types() -> dict[str, "NodeTypeInfo"]:
 class NodeTypeInfo:
     inputs: list[str]  # socket identifiers
     outputs: list[str]
-    # RNA name -> kind: boolean, integer, number, choice, text, table, image, attribute
+    # RNA name -> kind: boolean, integer, number, choice, text, table, image, attribute, aov
     settings: dict[str, str]
 
 class Progress:

@@ -2,7 +2,8 @@
 """Render passes: which there are, and how pixels get into Blender's RenderResult.
 
 Combined, Depth and Normal bear these names in every version of Blender. Blender makes room for its
-own passes by itself; those it does not know are added to the result before the first picture.
+own passes by itself; those it does not know, and the AOVs of the view layer, are added to the result
+before the first picture.
 """
 
 # Core pass -> (view layer switch or '' for always, Blender's type of the pass). Switches that begin
@@ -24,6 +25,8 @@ def register_passes(engine, core, scene, view_layer):
     """Tells Blender which passes this view layer will get."""
     for info, _switch, kind in _wanted(core, view_layer):
         engine.register_pass(scene, view_layer, info.name, info.channels, info.channel_ids, kind)
+    for aov in _aovs(view_layer):
+        engine.register_pass(scene, view_layer, *aov)
 
 
 def add_passes(engine, core, view_layer):
@@ -31,6 +34,8 @@ def add_passes(engine, core, view_layer):
     for info, switch, _kind in _wanted(core, view_layer):
         if switch.startswith(_OURS):
             engine.add_pass(info.name, info.channels, info.channel_ids, layer=view_layer.name)
+    for name, channels, channel_ids, _kind in _aovs(view_layer):
+        engine.add_pass(name, channels, channel_ids, layer=view_layer.name)
 
 
 def _wanted(core, view_layer):
@@ -41,18 +46,26 @@ def _wanted(core, view_layer):
             yield info, switch, kind
 
 
+def _aovs(view_layer):
+    """(name, channels, channel ids, type) of each pass that AOV Output nodes write."""
+    for aov in view_layer.aovs:
+        if aov.is_valid:
+            yield (aov.name, *((4, 'RGBA', 'COLOR') if aov.type == 'COLOR' else (1, 'X', 'VALUE')))
+
+
 class PassWriter:
     """Copies the passes of a session into RenderResults of one size.
 
     core: the native module. width, height: of the results, which is that of the border.
     """
 
-    def __init__(self, core, width, height):
+    def __init__(self, core, width, height, view_layer):
         self._core = core
         self._pixels = width * height
         self._buffers = {}    # pass name -> FloatBuffer
         self._joined = None
         self._known = {info.name: info.channels for info in core.passes()}
+        self._known.update((name, channels) for name, channels, *_ in _aovs(view_layer))
 
     def write(self, session, layer):
         """Fills all passes of a RenderLayer with what `session` has so far."""

@@ -133,7 +133,7 @@ class FinalRender:
                     border_rectangle(self._depsgraph.scene_eval.render, engine.resolution_x,
                                      engine.resolution_y, width, height))
         description = self._export(core, view)
-        self._writer = PassWriter(core, width, height)
+        self._writer = PassWriter(core, width, height, self._depsgraph.view_layer)
         self._session = core.RenderSession(description)
         del description
         # Blender's copy of the scene is not needed any more while there is nothing to draw.

@@ -81,9 +81,16 @@ class OutputTest(GraphCase):
         self.assert_close(diffuse["inputs"]["Color"], (0.2, 0.4, 0.6, 1.0))
         self.assertEqual(graph.source(graph.nodes[graph.output], "Surface"), (diffuse, "BSDF"))
 
-    def test_aov_output_is_reported(self):
-        self.graph_of(lambda _tree, nodes, _emission: nodes.add("ShaderNodeOutputAOV"))
-        self.assert_reported("m", "AOV Output")
+    def test_aov_outputs_of_the_tree_and_its_groups(self):
+        """Several may bear the name of one pass; those of other names are left out."""
+        def build(tree, nodes, _emission):
+            inner = bpy.data.node_groups.new("inner", "ShaderNodeTree")
+            group = nodes.add("ShaderNodeGroup")
+            group.node_tree = inner
+            for target, name in ((tree, "mask"), (tree, "mask"), (tree, "other"), (inner, "mask")):
+                target.nodes.new("ShaderNodeOutputAOV").name = name
+            bpy.context.view_layer.aovs.add().name = "mask"
+        self.assertEqual(len(self.graph_of(build).aov_outputs), 3)
 
     def test_only_what_the_output_needs(self):
         def build(_tree, nodes, _emission):

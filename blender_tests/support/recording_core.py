@@ -58,6 +58,7 @@ class NodeGraph:
     def __init__(self):
         self.name = ""
         self.output = -1
+        self.aov_outputs = []
         self.nodes = []
         self.links = []
 
@@ -97,7 +98,7 @@ class SceneDescription:
         self.camera = None
         self.settings = None
         self.meshes, self.instances, self.materials = [], [], []
-        self.lights, self.worlds, self.images = [], [], []
+        self.lights, self.worlds, self.images, self.aovs = [], [], [], []
 
     @staticmethod
     def _add(items, item):
@@ -121,6 +122,9 @@ class SceneDescription:
 
     def add_image(self, image):
         return self._add(self.images, image)
+
+    def add_aov(self, aov):
+        return self._add(self.aovs, aov)
 
 
 class NodeTypeInfo:
@@ -153,6 +157,7 @@ class RecordingCore:
     WorldDesc = _struct("WorldDesc")
     ImageTileDesc = _struct("ImageTileDesc")
     ImageDesc = _struct("ImageDesc")
+    AovDesc = _struct("AovDesc")
     CameraDesc = _struct("CameraDesc", aperture_radius=0.0)
     RenderSettings = _struct("RenderSettings", border_width=0, border_height=0)
 

@@ -29,6 +29,8 @@ const char* name_of(SettingKind kind) {
       return "image";
     case SettingKind::attribute:
       return "attribute";
+    case SettingKind::aov:
+      return "aov";
   }
   return "";
 }
@@ -97,6 +99,7 @@ void bind_graph(py::module_& module) {
                     "A shader tree, flattened. Sockets and settings by Blender's identifiers.")
       .field("name", &NodeGraph::name)
       .field("output", &NodeGraph::output)
+      .field("aov_outputs", &NodeGraph::aov_outputs)
       .bound()
       .def_property_readonly("node_count",
                              [](const NodeGraph& graph) { return graph.nodes.size(); })

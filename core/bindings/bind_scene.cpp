@@ -125,6 +125,12 @@ void bind_image(py::module_& module) {
       .field("is_float", &ImageDesc::is_float);
 }
 
+void bind_aov(py::module_& module) {
+  Fields<AovDesc>(module, "AovDesc", "A pass that AOV Output nodes of this name write.")
+      .field("name", &AovDesc::name)
+      .field("is_color", &AovDesc::is_color);
+}
+
 void bind_camera(py::module_& module) {
   Fields<CameraDesc>(module, "CameraDesc", "Blender's camera; lens and sensor in mm.")
       .choice("type", {"PERSP", "ORTHO", "PANO"}, &CameraDesc::type)
@@ -179,6 +185,7 @@ void bind_settings(py::module_& module) {
       .field("caustics_refractive", &RenderSettings::caustics_refractive)
       .field("film_transparent", &RenderSettings::film_transparent)
       .field("film_exposure", &RenderSettings::film_exposure)
+      .field("pass_alpha_threshold", &RenderSettings::pass_alpha_threshold)
       .choice("pixel_filter", {"BOX", "GAUSSIAN", "BLACKMAN_HARRIS"}, &RenderSettings::pixel_filter)
       .field("filter_width", &RenderSettings::filter_width)
       .field("texture_limit", &RenderSettings::texture_limit)
@@ -206,7 +213,8 @@ void bind_description(py::module_& module) {
       .def("add_light", adder(&SceneDescription::lights), py::arg("light"))
       .def("add_world", adder(&SceneDescription::worlds), py::arg("world"),
            "The first is the scene's World; the next four are those of dreams 1..4.")
-      .def("add_image", adder(&SceneDescription::images), py::arg("image"));
+      .def("add_image", adder(&SceneDescription::images), py::arg("image"))
+      .def("add_aov", adder(&SceneDescription::aovs), py::arg("aov"));
 }
 
 }  // namespace
@@ -218,6 +226,7 @@ void bind_scene(py::module_& module) {
   bind_light(module);
   bind_world(module);
   bind_image(module);
+  bind_aov(module);
   bind_camera(module);
   bind_settings(module);
   bind_description(module);

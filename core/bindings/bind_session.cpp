@@ -107,25 +107,17 @@ TileRect checked_rectangle(TileRect rect, int width, int height) {
   return rect;
 }
 
-const std::vector<std::string>& pass_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const PassInfo& pass : k_passes)
-      result.emplace_back(pass.name);
-    return result;
-  }();
-  return names;
-}
-
 void read_pass(const SessionHandle& handle, const py::object& name, const py::object& target, int x,
                int y, int width, int height) {
-  const std::string pass = choice_from_python(name, {"read_pass", "name"}, pass_names());
   // Held here: Python may drop its own reference while the GIL is released.
   const auto buffer = Convert<Buffer<float>>::from_python(target, {"read_pass", "target"});
 
   const auto [full_width, full_height] = handle.call(
       [](RenderSession& session) { return std::pair(session.width(), session.height()); });
   if (full_width == 0) throw std::runtime_error("The render session is closed.");
+  const std::vector<std::string> names =
+      handle.call([](RenderSession& session) { return session.pass_names(); });
+  const std::string pass = choice_from_python(name, {"read_pass", "name"}, names);
   const TileRect rect = checked_rectangle({x, y, width, height}, full_width, full_height);
   const bool done = handle.call([&](RenderSession& session) {
     return session.read_pass(pass, rect, buffer->data(), buffer->size());

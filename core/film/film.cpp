@@ -56,11 +56,13 @@ void write_pixel(const PassInfo& pass, const PixelSums& sums, float exposure, fl
 
 }  // namespace
 
-Film::Film(int width, int height)
+Film::Film(int width, int height, int extra_channels)
     : width_(width),
       height_(height),
       tiles_across_((width + k_tile_size - 1) / k_tile_size),
-      pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {
+      extra_channels_(static_cast<size_t>(extra_channels)),
+      pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)),
+      extra_(pixels_.size() * extra_channels_) {
   for (int y = 0; y < height; y += k_tile_size)
     for (int x = 0; x < width; x += k_tile_size)
       tiles_.push_back({x, y, std::min(k_tile_size, width - x), std::min(k_tile_size, height - y)});
@@ -74,38 +76,64 @@ std::mutex& Film::tile_mutex(int x, int y) const {
   return mutexes_[static_cast<size_t>(tile)];
 }
 
-std::vector<PixelSums> Film::read_tile(size_t index) const {
+TileSums Film::read_tile(size_t index) const {
   const FilmRect& tile = tiles_[index];
-  std::vector<PixelSums> sums;
-  sums.reserve(static_cast<size_t>(tile.width) * static_cast<size_t>(tile.height));
+  const auto count = static_cast<size_t>(tile.width) * static_cast<size_t>(tile.height);
+  TileSums sums;
+  sums.pixels.reserve(count);
+  sums.extra.reserve(count * extra_channels_);
   const std::lock_guard lock(tile_mutex(tile.x, tile.y));
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
-    const auto row = pixels_.begin() + static_cast<ptrdiff_t>(y) * width_ + tile.x;
-    sums.insert(sums.end(), row, row + tile.width);
+    const ptrdiff_t first = static_cast<ptrdiff_t>(y) * width_ + tile.x;
+    const auto row = pixels_.begin() + first;
+    sums.pixels.insert(sums.pixels.end(), row, row + tile.width);
+    const auto stride = static_cast<ptrdiff_t>(extra_channels_);
+    const auto extra = extra_.begin() + first * stride;
+    sums.extra.insert(sums.extra.end(), extra, extra + tile.width * stride);
   }
   return sums;
 }
 
-void Film::write_tile(size_t index, const std::vector<PixelSums>& sums) {
+void Film::write_tile(size_t index, const TileSums& sums) {
   const FilmRect& tile = tiles_[index];
+  const auto stride = static_cast<ptrdiff_t>(extra_channels_);
   const std::lock_guard lock(tile_mutex(tile.x, tile.y));
-  for (int y = 0; y < tile.height; ++y)
-    std::copy_n(sums.begin() + static_cast<ptrdiff_t>(y) * tile.width, tile.width,
-                pixels_.begin() + static_cast<ptrdiff_t>(tile.y + y) * width_ + tile.x);
+  for (int y = 0; y < tile.height; ++y) {
+    const ptrdiff_t from = static_cast<ptrdiff_t>(y) * tile.width;
+    const ptrdiff_t to = static_cast<ptrdiff_t>(tile.y + y) * width_ + tile.x;
+    std::copy_n(sums.pixels.begin() + from, tile.width, pixels_.begin() + to);
+    std::copy_n(sums.extra.begin() + from * stride, tile.width * stride,
+                extra_.begin() + to * stride);
+  }
 }
 
-void Film::read(const PassInfo& pass, FilmRect rect, float exposure, float* target) const {
+template <class Visit>
+void Film::each_pixel(FilmRect rect, const Visit& visit) const {
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width;) {
       const int tile_end = std::min((x / k_tile_size + 1) * k_tile_size, rect.x + rect.width);
       const std::lock_guard lock(tile_mutex(x, y));
-      for (; x < tile_end; ++x, target += pass.channels)
-        write_pixel(
-            pass,
-            pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)],
-            exposure, target);
+      for (; x < tile_end; ++x)
+        visit(static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x));
     }
   }
+}
+
+void Film::read(const PassInfo& pass, FilmRect rect, float exposure, float* target) const {
+  each_pixel(rect, [&](size_t pixel) {
+    write_pixel(pass, pixels_[pixel], exposure, target);
+    target += pass.channels;
+  });
+}
+
+void Film::read_extra(int first, int channels, FilmRect rect, float* target) const {
+  each_pixel(rect, [&](size_t pixel) {
+    const uint32_t samples = pixels_[pixel].samples;
+    const float scale = samples > 0 ? 1.0f / static_cast<float>(samples) : 0.0f;
+    const float* sums = &extra_[pixel * extra_channels_ + static_cast<size_t>(first)];
+    for (int c = 0; c < channels; ++c)
+      *target++ = sums[c] * scale;
+  });
 }
 
 }  // namespace tenniel

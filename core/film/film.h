@@ -48,34 +48,52 @@ struct PixelSums {
   }
 };
 
+// A tile of the film, taken out to be added to: its pixels row by row, and `extra` floats for each,
+// those of one pixel after those of another.
+struct TileSums {
+  std::vector<PixelSums> pixels;
+  std::vector<float> extra;
+};
+
 // Pixels of the picture or of its border. A sample belongs to one pixel, and a tile to one thread
 // at a time, so the result does not depend on the number of threads; reading may go on meanwhile.
 class Film {
  public:
   static constexpr int k_tile_size = 16;
 
-  Film(int width, int height);
+  // `extra_channels`: floats that each pixel sums besides PixelSums.
+  Film(int width, int height, int extra_channels = 0);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  size_t memory_bytes() const { return pixels_.size() * sizeof(PixelSums); }
+  size_t extra_channels() const { return extra_channels_; }
+  size_t memory_bytes() const {
+    return pixels_.size() * sizeof(PixelSums) + extra_.size() * sizeof(float);
+  }
 
   // All tiles, neighbours close together (Morton order).
   const std::vector<FilmRect>& tiles() const { return tiles_; }
-  // The sums of tile `index` row by row; and their replacement by what they grew to.
-  std::vector<PixelSums> read_tile(size_t index) const;
-  void write_tile(size_t index, const std::vector<PixelSums>& sums);
+  // The sums of tile `index`; and their replacement by what they grew to.
+  TileSums read_tile(size_t index) const;
+  void write_tile(size_t index, const TileSums& sums);
 
   // Averages of one pass over `rect`, bottom row first, channels interleaved; radiance times
   // `exposure`, colour associated with alpha. `rect` lies inside the film.
   void read(const PassInfo& pass, FilmRect rect, float exposure, float* target) const;
+  // The same of `channels` extra floats from `first` on, as they are.
+  void read_extra(int first, int channels, FilmRect rect, float* target) const;
 
  private:
   std::mutex& tile_mutex(int x, int y) const;
+  // Calls `visit` with the index of each pixel of `rect` in turn, its tile locked.
+  template <class Visit>
+  void each_pixel(FilmRect rect, const Visit& visit) const;
 
   int width_, height_;
   int tiles_across_;
+  size_t extra_channels_;
   std::vector<PixelSums> pixels_;
+  std::vector<float> extra_;
   std::vector<FilmRect> tiles_;
   std::unique_ptr<std::mutex[]> mutexes_;  // by place of the tile, row by row
 };

@@ -22,8 +22,8 @@ TEST(Film, TilesCoverEveryPixelOnce) {
 TEST(Film, AveragesSamplesAndKeepsTheFirstDepth) {
   Film film(20, 20);
   for (size_t i = 0; i < film.tiles().size(); ++i) {
-    std::vector<PixelSums> sums = film.read_tile(i);
-    for (PixelSums& pixel : sums) {
+    TileSums sums = film.read_tile(i);
+    for (PixelSums& pixel : sums.pixels) {
       pixel.add({Spectrum(1.0f, 2.0f, 3.0f), 0.0f, 5.0f, {0.0f, 0.0f, 1.0f}, 0, {}});
       pixel.add({Spectrum(3.0f, 2.0f, 1.0f),
                  0.5f,
@@ -52,6 +52,31 @@ TEST(Film, AveragesSamplesAndKeepsTheFirstDepth) {
     EXPECT_FLOAT_EQ(dream[i], 2.0f);
     EXPECT_FLOAT_EQ(coverage[i], 0.5f);
     EXPECT_FLOAT_EQ(dream_radiance[3 * i], 1.0f);
+  }
+}
+
+TEST(Film, AveragesExtraChannels) {
+  Film film(20, 20, 3);
+  for (size_t i = 0; i < film.tiles().size(); ++i) {
+    TileSums sums = film.read_tile(i);
+    ASSERT_EQ(sums.extra.size(), 3 * sums.pixels.size());
+    for (size_t p = 0; p < sums.pixels.size(); ++p) {
+      sums.pixels[p].add({});
+      sums.pixels[p].add({});
+      const auto tile = static_cast<float>(i);
+      for (size_t c = 0; c < 3; ++c)
+        sums.extra[3 * p + c] += 10.0f * tile + static_cast<float>(c);
+    }
+    film.write_tile(i, sums);
+  }
+  for (size_t i = 0; i < film.tiles().size(); ++i) {
+    const FilmRect& tile = film.tiles()[i];
+    const auto count = static_cast<size_t>(tile.width * tile.height);
+    std::vector<float> last_two(2 * count);
+    film.read_extra(1, 2, tile, last_two.data());
+    for (size_t p = 0; p < 2 * count; ++p)
+      EXPECT_FLOAT_EQ(last_two[p],
+                      5.0f * static_cast<float>(i) + 0.5f * static_cast<float>(1 + p % 2));
   }
 }
 

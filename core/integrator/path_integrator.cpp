@@ -22,9 +22,6 @@ constexpr uint32_t k_camera_dimensions = 8;
 // A path that only passes through surfaces ends here whatever the settings say.
 constexpr uint32_t k_max_vertices = 1024;
 
-// Blender's default of ViewLayer.pass_alpha_threshold: what counts as seen in the data passes.
-constexpr float k_pass_alpha_threshold = 0.5f;
-
 // One path under way.
 class PathTracer {
  public:
@@ -41,6 +38,7 @@ class PathTracer {
   void add_background();
   void add_emission(const SurfaceInteraction& at);
   void evaluate(const SurfaceInteraction& at);
+  void write_aovs(const SurfaceInteraction& at);
   bool apply_holdout(const SurfaceInteraction& at);
   void record_first_surface(const SurfaceInteraction& at);
   bool survives(float u);
@@ -100,6 +98,7 @@ SampleResult PathTracer::trace(Vec2 raster) {
       continue;
     }
     evaluate(at);
+    write_aovs(at);
     if (apply_holdout(at)) break;
     add_emission(at);
     record_first_surface(at);
@@ -199,6 +198,14 @@ void PathTracer::evaluate(const SurfaceInteraction& at) {
   if (alpha > 0.0f) bsdf.widen(alpha);
 }
 
+// As Blender: every surface up to the first that is more than half opaque adds its own.
+void PathTracer::write_aovs(const SurfaceInteraction& at) {
+  ShadingContext& context = worker_.surface;
+  if (!context.aovs || is_recorded_ || !state_.sees_background) return;
+  context.query = k_query_aov;
+  scene_.material_at(at, state_.info.world).aovs.run(context);
+}
+
 // What is held out leaves a hole in the film. True when nothing is left of the path.
 bool PathTracer::apply_holdout(const SurfaceInteraction& at) {
   if (!state_.sees_background) return false;
@@ -223,7 +230,8 @@ void PathTracer::add_emission(const SurfaceInteraction& at) {
 }
 
 void PathTracer::record_first_surface(const SurfaceInteraction& at) {
-  if (is_recorded_ || mean(worker_.surface.transparency) >= k_pass_alpha_threshold) return;
+  const float alpha = saturate(1.0f - mean(worker_.surface.transparency));
+  if (is_recorded_ || alpha < settings_.pass_alpha_threshold) return;
   is_recorded_ = true;
   result_.depth = scene_.camera.depth(at.position);
   result_.normal = state_.ends_after_transparent || worker_.surface.bsdf.empty()

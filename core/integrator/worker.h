@@ -15,10 +15,15 @@ struct Worker {
     light.reserve(scene.register_count);
     if (scene.has_media) medium_steps.reserve(k_max_medium_steps);
     surface.rays = light.rays = &scene;
+    aovs.resize(static_cast<size_t>(aov_channels(scene.aovs)));
+    if (!aovs.empty()) surface.aovs = aovs.data();
   }
+  Worker(Worker&&) = default;  // a copy would write into the other's AOVs
+
   Sampler sampler;
-  ShadingContext surface;  // the surface the path is at
-  ShadingContext light;    // what a light, a shadow caster or the background says meanwhile
+  std::vector<float> aovs;  // of the sample that is traced
+  ShadingContext surface;   // the surface the path is at
+  ShadingContext light;     // what a light, a shadow caster or the background says meanwhile
   std::vector<MediumStep> medium_steps;  // of the segment the path is on
 };
 

@@ -79,20 +79,23 @@ class RenderLoop {
     const FlushDenormals guard;
     Worker& worker = workers_.local();
     const FilmRect rect = film_.tiles()[tile];
-    std::vector<PixelSums> sums = film_.read_tile(tile);
+    TileSums sums = film_.read_tile(tile);
     uint64_t dropped = 0;
     for (int y = 0; y < rect.height; ++y) {
       for (int x = 0; x < rect.width; ++x) {
         const int index = y * rect.width + x;
-        PixelSums& pixel = sums[static_cast<size_t>(index)];
+        PixelSums& pixel = sums.pixels[static_cast<size_t>(index)];
+        float* extra = sums.extra.data() + static_cast<size_t>(index) * film_.extra_channels();
         for (int s = first; s < end; ++s) {
           if (counters_.cancelled.load(std::memory_order_relaxed)) return;
           const FilmSample sample =
               take(rect.x + x + settings_.border_x, rect.y + y + settings_.border_y, s, worker);
-          if (is_usable(sample))
-            pixel.add(sample);
-          else
+          if (!is_usable(sample)) {
             ++dropped;
+            continue;
+          }
+          pixel.add(sample);
+          add_aovs(worker.aovs, extra);
         }
       }
     }
@@ -112,8 +115,14 @@ class RenderLoop {
     const Vec2 offset = index == 0 ? Vec2() : filter_.sample(u);
     const Vec2 raster{static_cast<float>(x) + 0.5f + offset.x,
                       static_cast<float>(y) + 0.5f + offset.y};
+    std::fill(worker.aovs.begin(), worker.aovs.end(), 0.0f);
     const SampleResult r = integrator_.trace(raster, worker);
     return {r.radiance, r.transparency, r.depth, r.normal, r.dream, r.dream_radiance};
+  }
+
+  static void add_aovs(const std::vector<float>& aovs, float* sums) {
+    for (size_t i = 0; i < aovs.size(); ++i)
+      if (std::isfinite(aovs[i])) sums[i] += aovs[i];
   }
 
   static bool is_usable(const FilmSample& s) {

@@ -35,6 +35,7 @@ struct RenderSession::State {
   RenderSettings settings;
   Diagnostics diagnostics;
   RenderCounters counters;
+  std::vector<AovPass> aovs;
   Film film;
 
   mutable std::mutex mutex;  // guards what follows
@@ -50,7 +51,10 @@ struct RenderSession::State {
   std::thread thread;
 
   State(SceneDescription d, RenderSettings s, int width, int height)
-      : description(std::move(d)), settings(std::move(s)), film(width, height) {}
+      : description(std::move(d)),
+        settings(std::move(s)),
+        aovs(layout_aovs(description.aovs)),
+        film(width, height, aov_channels(aovs)) {}
 
   void set_stage(const std::string& name) {
     const std::lock_guard lock(mutex);
@@ -199,21 +203,37 @@ int RenderSession::height() const {
   return state_ ? state_->film.height() : 0;
 }
 
+std::vector<std::string> RenderSession::pass_names() const {
+  std::vector<std::string> names;
+  for (const PassInfo& pass : k_passes)
+    names.emplace_back(pass.name);
+  if (state_)
+    for (const AovPass& aov : state_->aovs)
+      names.push_back(aov.name);
+  return names;
+}
+
 size_t RenderSession::pass_size(const std::string& name, TileRect rect) const {
   const PassInfo* pass = find_pass(name);
-  if (!pass || rect.width <= 0 || rect.height <= 0) return 0;
+  const AovPass* aov = pass || !state_ ? nullptr : find_aov(state_->aovs, name);
+  const int channels = pass ? pass->channels : aov ? aov->channels() : 0;
+  if (rect.width <= 0 || rect.height <= 0) return 0;
   return static_cast<size_t>(rect.width) * static_cast<size_t>(rect.height) *
-         static_cast<size_t>(pass->channels);
+         static_cast<size_t>(channels);
 }
 
 bool RenderSession::read_pass(const std::string& name, TileRect rect, float* target,
                               size_t size) const {
-  const PassInfo* pass = find_pass(name);
   const bool inside = state_ && rect.x >= 0 && rect.y >= 0 && rect.x + rect.width <= width() &&
                       rect.y + rect.height <= height();
-  if (!pass || !inside || size == 0 || size != pass_size(name, rect)) return false;
-  state_->film.read(*pass, {rect.x, rect.y, rect.width, rect.height},
-                    state_->settings.film_exposure, target);
+  if (!inside || size == 0 || size != pass_size(name, rect)) return false;
+  const FilmRect pixels{rect.x, rect.y, rect.width, rect.height};
+  if (const PassInfo* pass = find_pass(name)) {
+    state_->film.read(*pass, pixels, state_->settings.film_exposure, target);
+  } else {
+    const AovPass* aov = find_aov(state_->aovs, name);
+    state_->film.read_extra(aov->channel, aov->channels(), pixels, target);
+  }
   return true;
 }
 

@@ -51,6 +51,7 @@ class RenderSession {
 
   int width() const;  // of the picture or of its border
   int height() const;
+  std::vector<std::string> pass_names() const;  // the film's own and the scene's AOVs
   // Floats that `read_pass` writes for a rectangle; 0 for an unknown pass.
   size_t pass_size(const std::string& name, TileRect rect) const;
   // Copies `rect` of a pass, bottom row first, channels interleaved, averaged over the samples

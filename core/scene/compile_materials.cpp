@@ -114,12 +114,21 @@ DisplacementMethod displacement_of(const std::string& name) {
 
 }  // namespace
 
+std::vector<AovPass> layout_aovs(const std::vector<AovDesc>& descriptions) {
+  std::vector<AovPass> passes;
+  for (const AovDesc& desc : descriptions)
+    passes.push_back({desc.name, desc.is_color, aov_channels(passes)});
+  return passes;
+}
+
 void SceneCompiler::compile_materials() {
+  scene.aovs = layout_aovs(description.aovs);
   TextureTable textures(*this);
   const auto compile = [&](const NodeGraph& graph, ShaderDomain domain,
                            DisplacementMethod displacement) {
     CompileContext context;
     context.attributes = &attributes;
+    context.aovs = &scene.aovs;
     context.texture = [&](int index, const std::string& interpolation,
                           const std::string& extension) {
       return textures.get(index, interpolation, extension);
@@ -132,7 +141,7 @@ void SceneCompiler::compile_materials() {
     scene.register_count =
         std::max({scene.register_count, material.surface.register_count(),
                   material.transparency.register_count(), material.emission.register_count(),
-                  material.volume.register_count()});
+                  material.volume.register_count(), material.aovs.register_count()});
     if (const auto& program = material.displacement.program)
       scene.register_count = std::max(scene.register_count, program->register_count());
     return material;

@@ -25,6 +25,9 @@ std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnos
 // Steps of a motion during the shutter; none where one of them is not a number.
 std::vector<Transform> motion_from(const std::vector<Matrix34>& steps);
 
+// Where each of the passes has its floats.
+std::vector<AovPass> layout_aovs(const std::vector<AovDesc>& descriptions);
+
 // Stages of compile_scene, in this order, one file each.
 struct SceneCompiler {
   SceneDescription& description;

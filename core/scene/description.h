@@ -143,6 +143,12 @@ struct ImageDesc {
   bool is_float = false;  // of `pixels`: scene-linear, else encoded bytes in [0, 1]
 };
 
+// A pass that AOV Output nodes of this name write.
+struct AovDesc {
+  std::string name;
+  bool is_color = false;
+};
+
 struct CameraDesc {
   std::string type = "PERSP";  // PERSP, ORTHO, PANO (equirectangular)
   Matrix34 camera_to_world = k_identity34;
@@ -177,6 +183,7 @@ struct RenderSettings {
   bool caustics_reflective = true, caustics_refractive = true;
   bool film_transparent = false;
   float film_exposure = 1.0f;
+  float pass_alpha_threshold = 0.5f;  // what is less opaque leaves such passes to what is behind
   std::string pixel_filter = "BLACKMAN_HARRIS";  // BOX, GAUSSIAN, BLACKMAN_HARRIS
   float filter_width = 1.5f;
   int texture_limit = 0;  // longest side in pixels; 0 = none
@@ -190,6 +197,7 @@ struct SceneDescription {
   std::vector<LightDesc> lights;
   std::vector<WorldDesc> worlds;  // 1 to 5; a dream without its own uses the first
   std::vector<ImageDesc> images;
+  std::vector<AovDesc> aovs;
   CameraDesc camera;
   RenderSettings settings;
 };

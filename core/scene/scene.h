@@ -46,6 +46,7 @@ struct Scene final : RayQueries {
   std::vector<uint32_t> hittable_lamps;  // indices of lights that rays can meet
   std::array<LightSampler, k_world_count> light_samplers;
   std::array<World, k_world_count> worlds;
+  std::vector<AovPass> aovs;
   Camera camera;
   CameraInfo camera_info;
   bool has_transparent_shadows = false;

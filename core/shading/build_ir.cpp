@@ -30,6 +30,7 @@ class IrBuilder {
     if (graph_.output < 0 || static_cast<size_t>(graph_.output) >= graph_.nodes.size())
       return std::move(ir_);
     ir_.output = visit(static_cast<uint32_t>(graph_.output));
+    if (domain == ShaderDomain::surface && root_ == ShaderRoot::surface) visit_aovs();
     while (!pending_.empty()) {
       const uint32_t node = pending_.back();
       pending_.pop_back();
@@ -76,6 +77,20 @@ class IrBuilder {
     apply_inputs(node, from, context_);
     pending_.push_back(index);
     return id;
+  }
+
+  // Those that no pass waits for are as good as not there.
+  void visit_aovs() {
+    for (const int index : graph_.aov_outputs) {
+      if (index < 0 || static_cast<size_t>(index) >= graph_.nodes.size()) continue;
+      const int id = visit(static_cast<uint32_t>(index));
+      if (id == k_unknown) continue;
+      const IrNode& node = ir_.at(id);
+      if (node.type->is_closure() && node.type->closure_parts(node.data.get()) == k_query_aov)
+        ir_.aovs.push_back(id);
+      else
+        pending_.pop_back();
+    }
   }
 
   void resolve(const GraphLink& link) {
@@ -151,37 +166,65 @@ ShaderIr build_ir(const MaterialSource& source, const CompileContext& context, S
   return IrBuilder(source.graph ? *source.graph : empty, context, root).build(source.domain);
 }
 
-void break_cycles(ShaderIr& ir, const CompileContext& context) {
+namespace {
+
+class CycleBreaker {
+ public:
+  CycleBreaker(ShaderIr& ir, const CompileContext& context)
+      : ir_(ir), context_(context), states_(ir.nodes.size(), State::unseen) {}
+
+  void run_from(int root) {
+    if (root < 0 || state(root) != State::unseen) return;
+    open(root);
+    while (!stack_.empty()) {
+      Visit& top = stack_.back();
+      const int reader = top.node;
+      if (top.next_input == ir_.at(reader).links.size()) {
+        state(reader) = State::done;
+        stack_.pop_back();
+      } else {
+        follow(reader, top.next_input++);
+      }
+    }
+  }
+
+ private:
   enum class State : uint8_t { unseen, open, done };
   struct Visit {
     int node;
     size_t next_input;
   };
-  if (ir.output < 0) return;
-  std::vector<State> states(ir.nodes.size(), State::unseen);
-  std::vector<Visit> stack{{ir.output, 0}};
-  states[static_cast<size_t>(ir.output)] = State::open;
-  while (!stack.empty()) {
-    Visit& top = stack.back();
-    const int reader = top.node;
-    if (top.next_input == ir.at(reader).links.size()) {
-      states[static_cast<size_t>(reader)] = State::done;
-      stack.pop_back();
-      continue;
-    }
-    const size_t input = top.next_input++;
-    const int from = ir.at(reader).links[input].node;
-    if (from < 0) continue;
-    State& state = states[static_cast<size_t>(from)];
-    if (state == State::open) {
-      report(context, ir.at(reader).name,
-             "the link from '" + ir.at(from).name + "' closes a cycle and is cut");
-      ir.link(reader, input, {});
-    } else if (state == State::unseen) {
-      state = State::open;
-      stack.push_back({from, 0});
+
+  State& state(int node) { return states_[static_cast<size_t>(node)]; }
+  void open(int node) {
+    state(node) = State::open;
+    stack_.push_back({node, 0});
+  }
+  void follow(int reader, size_t input) {
+    const int from = ir_.at(reader).links[input].node;
+    if (from < 0) return;
+    if (state(from) == State::open) {
+      report(context_, ir_.at(reader).name,
+             "the link from '" + ir_.at(from).name + "' closes a cycle and is cut");
+      ir_.link(reader, input, {});
+    } else if (state(from) == State::unseen) {
+      open(from);
     }
   }
+
+  ShaderIr& ir_;
+  const CompileContext& context_;
+  std::vector<State> states_;
+  std::vector<Visit> stack_;
+};
+
+}  // namespace
+
+void break_cycles(ShaderIr& ir, const CompileContext& context) {
+  CycleBreaker breaker(ir, context);
+  breaker.run_from(ir.output);
+  for (const int aov : ir.aovs)
+    breaker.run_from(aov);
 }
 
 }  // namespace tenniel

@@ -153,6 +153,7 @@ Material compile_material(const MaterialSource& source, CompileContext& given) {
   material.surface = emit_program(ir, query);
   material.emission = emit_program(ir, k_query_emission);
   if (query & k_query_transparency) material.transparency = emit_program(ir, k_query_transparency);
+  material.aovs = emit_program(ir, k_query_aov);
   material.scatters = (query & k_query_scatter) && !closures_of_query(ir, k_query_scatter).empty();
   material.emits = !closures_of_query(ir, k_query_emission).empty();
   material.is_transparent = !material.transparency.empty();

@@ -124,6 +124,8 @@ class ClosureLowering {
 
 void lower_closures(ShaderIr& ir) {
   if (ir.output >= 0) ClosureLowering(ir).run();
+  for (const int aov : ir.aovs)
+    ir.closures.push_back({aov, 0});
 }
 
 }  // namespace tenniel

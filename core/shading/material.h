@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/attributes.h"
+#include "shading/aov.h"
 #include "shading/node_graph.h"
 #include "shading/program.h"
 #include "shading/sun_disk.h"
@@ -24,6 +25,7 @@ struct Material {
   Program surface;       // everything at a hit
   Program transparency;  // what a shadow ray needs: `ShadingContext::transparency`
   Program emission;      // what light sampling needs: `ShadingContext::emission`
+  Program aovs;          // what passes of the artist's own are given, after `surface`
   Program volume;        // what fills it: `ShadingContext::medium` and `emission`
   float pass_index = 0.0f;
   bool scatters = false;        // may add lobes
@@ -59,6 +61,7 @@ struct MaterialSource {
 
 struct CompileContext {
   AttributeIds* attributes = nullptr;
+  const std::vector<AovPass>* aovs = nullptr;
   // Texture of image `index` as sampled by a node with these settings; null where it is missing.
   std::function<const Texture*(int index, const std::string& interpolation,
                                const std::string& extension)>

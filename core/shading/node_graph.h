@@ -38,6 +38,7 @@ struct NodeGraph {
   std::vector<GraphNode> nodes;
   std::vector<GraphLink> links;
   int output = -1;
+  std::vector<int> aov_outputs;  // AOV Output nodes, roots besides the output
 
   bool operator==(const NodeGraph&) const = default;
 };

@@ -54,6 +54,7 @@ const NodeRegistry& node_registry() {
     register_principled_nodes(all);
     register_volume_nodes(all);
     register_bump_nodes(all);
+    register_aov_nodes(all);
     register_output_nodes(all);
     return all;
   }();

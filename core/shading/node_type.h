@@ -54,6 +54,12 @@ struct AttributeSlot {
   int id = -1;  // AttributeIds, set by the compiler
 };
 
+struct AovSlot {
+  std::string name;
+  int channel = -1;  // AovPass, set by the compiler; -1: the picture has no pass of that name
+  bool is_color = false;
+};
+
 struct InputInfo {
   std::string identifier;
   SocketType type = SocketType::number;
@@ -77,7 +83,8 @@ enum class SettingKind : uint8_t {
   text,
   table,
   image,
-  attribute
+  attribute,
+  aov
 };
 
 struct SettingInfo {
@@ -184,6 +191,9 @@ class NodeTypeBuilder {
   }
   NodeTypeBuilder& setting(std::string name, ImageSlot Node::*member) {
     return plain(std::move(name), SettingKind::image, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, AovSlot Node::*member) {
+    return plain(std::move(name), SettingKind::aov, offset_of(member));
   }
   // `suffix` is added to the name: ".tangent" for what is derived from a UV map. One setting may
   // fill several slots.

@@ -93,6 +93,10 @@ bool assign(void* node, const SettingInfo& setting, const SettingValue& value) {
       if (const auto* name = std::get_if<std::string>(&value))
         return member<AttributeSlot>(node, setting).name = *name, true;
       return false;
+    case SettingKind::aov:
+      if (const auto* name = std::get_if<std::string>(&value))
+        return member<AovSlot>(node, setting).name = *name, true;
+      return false;
   }
   return false;
 }
@@ -118,6 +122,10 @@ void resolve_slots(IrNode& node, const GraphNode& from, const CompileContext& co
       if (slot.image >= 0 && context.texture)
         slot.texture = context.texture(slot.image, text_setting(from, "interpolation", "Linear"),
                                        text_setting(from, "extension", "REPEAT"));
+    } else if (setting.kind == SettingKind::aov && context.aovs) {
+      auto& slot = member<AovSlot>(node.data.get(), setting);
+      const AovPass* pass = find_aov(*context.aovs, slot.name);
+      if (pass) slot = {pass->name, pass->channel, pass->is_color};
     }
   }
 }

@@ -64,7 +64,8 @@ class StepOrder {
       roots.push_back(closure.node);
     }
     std::vector<int> order = ordered(roots);
-    if (ir_.prologue >= 0 &&
+    // What is asked for after the surface finds the normal bent already.
+    if (ir_.prologue >= 0 && query_ != k_query_aov &&
         ((query_ & k_query_scatter) || reads_shading_normal(ir_, order, query_)))
       steps_.push_back({ir_.prologue, {}, 0});
     settle(order);

@@ -62,6 +62,7 @@ struct IrClosure {
 struct ShaderIr {
   std::vector<IrNode> nodes;
   int output = -1;                  // of the Material / World / Light Output
+  std::vector<int> aovs;            // AOV Outputs that a pass waits for
   int prologue = -1;                // node that bends the shading normal before all others
   std::vector<IrRegion> regions;    // [0] is always run; parents come before children
   std::vector<IrClosure> closures;  // filled by lower_closures

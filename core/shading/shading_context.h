@@ -21,6 +21,7 @@ enum ShaderQuery : uint8_t {
   k_query_transparency = 4,
   k_query_displacement = 8,
   k_query_volume = 16,  // with k_query_emission: all of a volume
+  k_query_aov = 32,     // what AOV Output nodes write
   k_query_surface = k_query_scatter | k_query_emission | k_query_transparency,
 };
 
@@ -87,6 +88,7 @@ class ShadingContext {
   Spectrum emission;
   Spectrum transparency;
   float holdout = 0.0f;
+  float* aovs = nullptr;    // floats of the sample's AovPasses; null: there are none
   MediumProperties medium;  // of a Volume tree; what glows is in `emission`
 
   template <class T>

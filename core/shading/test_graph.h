@@ -34,6 +34,8 @@ class GraphText {
     name.pop_back();
     if (!links) {
       if (name == "out") graph_.output = static_cast<int>(graph_.nodes.size());
+      if (type == "ShaderNodeOutputAOV")
+        graph_.aov_outputs.push_back(static_cast<int>(graph_.nodes.size()));
       graph_.nodes.push_back({type, name, {}, {}});
     }
     for (std::string word; words >> word;)
@@ -78,6 +80,7 @@ class GraphText {
 // A compiled text with everything that was reported.
 struct TestMaterial {
   AttributeIds attributes;
+  std::vector<AovPass> aovs{{"number", false, 0}, {"color", true, 1}};
   std::vector<std::string> reports;  // "node: text"
   NodeGraph graph;
   Material material;
@@ -92,6 +95,7 @@ struct TestMaterial {
     source.graph = &graph;
     CompileContext context;
     context.attributes = &attributes;
+    context.aovs = &aovs;
     context.report = [this](const std::string& node, const std::string& text) {
       reports.push_back(node + ": " + text);
     };

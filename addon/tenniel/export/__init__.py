@@ -24,6 +24,7 @@ def export_scene(core, depsgraph, view, camera_source, test_break=lambda: False,
     context.description.camera = camera_source.export(context)
     if motion is not None:
         context.description.camera.motion = motion.of_camera()
+    settings.export_aovs(context)
     world.export_worlds(context)
     instances.export_instances(context)
     return context.description

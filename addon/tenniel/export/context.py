@@ -62,6 +62,7 @@ class ExportContext:
         self.meshes = {}      # see mesh.py
         self._links = {}      # node tree -> {input socket: link}, by address
         self._metals = {}     # node tree -> distribution or None, by address
+        self.aovs = set()     # names of the passes that AOV Output nodes write
         self.motion = None    # motion.Motion while the shutter is open
         self.has_looking_glass = False
         self.behind_objects = []

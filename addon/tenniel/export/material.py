@@ -35,10 +35,6 @@ def export_tree(context, tree, output_type, owner):
     is that of an output that nothing is linked to: black, and not the plain colour of a tree that
     is off.
     """
-    for node in tree.nodes:
-        if node.bl_idname == 'ShaderNodeOutputAOV' and not node.mute:
-            context.report('INFO', "AOV Output is not supported: its pass is not written",
-                           material=owner, node=node.name)
     output = tree.get_output_node('CYCLES') or tree.get_output_node('ALL')
     return ExportedTree(*node_graph.flatten(context, tree, output, output_type, owner))
 

@@ -41,6 +41,10 @@ class Scope(NamedTuple):
     parent: Any = None
     path: tuple = ()
 
+    def inside(self, node):
+        """The scope of the nodes in a group node of this one."""
+        return Scope(node.node_tree, node, self, (*self.path, node.name))
+
     def contains(self, tree):
         """Whether `tree` is this tree or one around it."""
         return tree == self.tree or (self.parent is not None and self.parent.contains(tree))
@@ -91,6 +95,8 @@ class _Flattener:
             self._graph.output = self._graph.add_node(output_type, "")
             return self._graph, self._needs
         self._graph.output = self._index_of(Scope(self._tree), output)
+        if output_type == 'ShaderNodeOutputMaterial' and self._context.aovs:
+            self._graph.aov_outputs = list(self._aov_outputs(Scope(self._tree)))
         # No recursion: a chain of nodes may be longer than Python's stack is deep.
         while self._waiting:
             self._fill(*self._waiting.pop())
@@ -98,8 +104,21 @@ class _Flattener:
 
     # One node ------------------------------------------------------------------------------------
 
-    def _index_of(self, scope, node):
-        key = (scope.path, node.name)
+    def _aov_outputs(self, scope):
+        """Indices of the AOV Outputs of a tree and of the groups in it, linked to or not."""
+        for node in scope.tree.nodes:
+            if node.mute:
+                continue
+            if node.bl_idname == 'ShaderNodeOutputAOV':
+                if node_readers.aov_name(node) in self._context.aovs:
+                    # What Blender shows as its name is that of the pass: several may share it.
+                    yield self._index_of(scope, node, node.as_pointer())
+            elif node.type == 'GROUP' and node.node_tree is not None \
+                    and not self._is_metal(node) and not scope.contains(node.node_tree):
+                yield from self._aov_outputs(scope.inside(node))
+
+    def _index_of(self, scope, node, name=None):
+        key = (scope.path, name or node.name)
         index = self._indices.get(key)
         if index is None:
             label = '/'.join((*scope.path, node.name))
@@ -233,7 +252,7 @@ class _Flattener:
         if scope.contains(tree):
             self._report(scope, node, "The node group contains itself and is ignored")
             return scope, None
-        inside = Scope(tree, node, scope, (*scope.path, node.name))
+        inside = scope.inside(node)
         for candidate in tree.nodes:
             if candidate.type == 'GROUP_OUTPUT' and candidate.is_active_output:
                 return inside, _by_identifier(candidate.inputs, output.identifier)

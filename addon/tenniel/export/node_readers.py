@@ -129,6 +129,15 @@ def _ies(_context, node, _needs, report):
         return {}
 
 
+def aov_name(node):
+    """Of the pass that an AOV Output writes; Blender 3.4 keeps it in place of the node's name."""
+    return getattr(node, 'aov_name', node.name)
+
+
+def _aov_output(_context, node, _needs, _report):
+    return {'aov_name': aov_name(node)}
+
+
 def _sky(_context, node, _needs, _report):
     return {'sun_direction': tuple(node.sun_direction)}
 
@@ -237,6 +246,7 @@ _READERS = {
     'ShaderNodeTexEnvironment': _image,
     'ShaderNodeTexSky': _sky,
     'ShaderNodeTexIES': _ies,
+    'ShaderNodeOutputAOV': _aov_output,
     'ShaderNodeParticleInfo': _particle_info,
     'ShaderNodeValToRGB': _color_ramp,
     'ShaderNodeRGBCurve': _color_curves,

@@ -27,6 +27,7 @@ def export_settings(context):
     target.clamp_direct = source.sample_clamp_direct
     target.clamp_indirect = source.sample_clamp_indirect
     target.pixel_filter = source.pixel_filter_type
+    target.pass_alpha_threshold = context.view_layer.pass_alpha_threshold
     target.film_transparent = render.film_transparent
     target.samples = _samples(context)
     target.seed = render_seed(source.seed, source.use_animated_seed,
@@ -94,3 +95,17 @@ def hash_string(text):
     for byte in text.encode('utf-8', 'surrogateescape'):
         value = (value * 37 + byte) & _UINT_MAX
     return value
+
+
+def export_aovs(context):
+    """The passes of the view layer that AOV Output nodes write; a 3D view shows none of them."""
+    if context.view.is_viewport:
+        return
+    for aov in context.view_layer.aovs:
+        if not aov.is_valid:
+            continue
+        desc = context.core.AovDesc()
+        desc.name = aov.name
+        desc.is_color = aov.type == 'COLOR'
+        context.description.add_aov(desc)
+        context.aovs.add(aov.name)

@@ -29,6 +29,7 @@ _BY_NAME = (
     'DATA_PT_camera_dof',
     'DATA_PT_camera_dof_aperture',
     'EEVEE_MATERIAL_PT_context_material',
+    'VIEWLAYER_PT_layer_passes_aov',
 )
 
 _NODE_POLL = 'cycles_shader_nodes_poll'

@@ -17,6 +17,7 @@ class TENNIEL_VIEWLAYER_PT_passes(PropertiesPanel, Panel):
         column = property_column(self.layout).column(heading="Include", align=True)
         for name in _PASSES:
             column.prop(context.view_layer, name)
+        column.prop(context.view_layer, 'pass_alpha_threshold')
         column = property_column(self.layout).column(heading="Magic Mirror", align=True)
         for name in _MIRROR_PASSES:
             column.prop(context.view_layer.tenniel, name)

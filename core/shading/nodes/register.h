@@ -25,6 +25,7 @@ void register_subsurface_nodes(NodeRegistry& registry);
 void register_principled_nodes(NodeRegistry& registry);
 void register_volume_nodes(NodeRegistry& registry);
 void register_bump_nodes(NodeRegistry& registry);
+void register_aov_nodes(NodeRegistry& registry);
 void register_output_nodes(NodeRegistry& registry);
 
 }  // namespace tenniel
