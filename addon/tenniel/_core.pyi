@@ -213,6 +213,7 @@ class RenderSettings:
     pass_alpha_threshold: float  # what is less opaque leaves Depth, Normal and AOVs to what is behind
     pixel_filter: str  # BOX, GAUSSIAN, BLACKMAN_HARRIS
     filter_width: float
+    occlusion_distance: float  # metres, of Ambient Occlusion nodes whose Distance is 0
     texture_limit: int
     start_world: int
 

@@ -33,6 +33,12 @@ class TracingTest(RenderTestCase):
         self.check("factor", emission_of("ao", lambda n: n.add(
             "ShaderNodeAmbientOcclusion").outputs["AO"]))
 
+    def test_distance_of_the_world(self):
+        for distance in (0.3, 2.0):
+            self.scene.world.light_settings.distance = distance
+            self.check(f"world {distance}", emission_of("ao", lambda n: n.add(
+                "ShaderNodeAmbientOcclusion", None, {"Distance": 0.0}).outputs["AO"]))
+
     def test_ambient_occlusion_of_a_given_normal(self):
         self.check("normal", emission_of("ao", lambda n: n.add(
             "ShaderNodeAmbientOcclusion", None,

@@ -188,6 +188,7 @@ void bind_settings(py::module_& module) {
       .field("pass_alpha_threshold", &RenderSettings::pass_alpha_threshold)
       .choice("pixel_filter", {"BOX", "GAUSSIAN", "BLACKMAN_HARRIS"}, &RenderSettings::pixel_filter)
       .field("filter_width", &RenderSettings::filter_width)
+      .field("occlusion_distance", &RenderSettings::occlusion_distance)
       .field("texture_limit", &RenderSettings::texture_limit)
       .ranged("start_world", 0, k_last_dream, &RenderSettings::start_world);
 }

@@ -89,6 +89,7 @@ void SceneCompiler::compile_camera() {
 std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnostics& diagnostics,
                                            const CompileControl& control) {
   auto scene = std::make_shared<Scene>();
+  scene->occlusion_distance = description.settings.occlusion_distance;
   SceneCompiler compiler{description, diagnostics, control, *scene, {}, {}};
   const auto stage = [&](const char* name, void (SceneCompiler::*run)()) {
     if (compiler.is_cancelled()) return;

@@ -186,8 +186,9 @@ struct RenderSettings {
   float pass_alpha_threshold = 0.5f;  // what is less opaque leaves such passes to what is behind
   std::string pixel_filter = "BLACKMAN_HARRIS";  // BOX, GAUSSIAN, BLACKMAN_HARRIS
   float filter_width = 1.5f;
-  int texture_limit = 0;  // longest side in pixels; 0 = none
-  int start_world = 0;    // the camera's world: a dream can be looked at directly
+  float occlusion_distance = 10.0f;  // of Ambient Occlusion nodes whose Distance is 0
+  int texture_limit = 0;             // longest side in pixels; 0 = none
+  int start_world = 0;               // the camera's world: a dream can be looked at directly
 };
 
 struct SceneDescription {

@@ -24,6 +24,8 @@ class RayQueries {
   // Where `ray` meets the object of `from`, nearest first; the number of hits, at most hits.size().
   virtual size_t own_hits(const SurfaceInteraction& from, const Ray& ray,
                           std::span<OwnHit> hits) const = 0;
+  // How far occlusion reaches where the node does not say.
+  float occlusion_distance = 10.0f;
 
  protected:
   ~RayQueries() = default;

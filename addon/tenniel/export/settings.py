@@ -34,6 +34,8 @@ def export_settings(context):
                               context.scene.frame_current, context.scene.frame_subframe)
     target.threads = render.threads if render.threads_mode == 'FIXED' else 0
     target.texture_limit = _texture_limit(context)
+    if context.scene.world is not None:
+        target.occlusion_distance = context.scene.world.light_settings.distance
     if view.is_viewport:
         target.time_limit = 0.0
         target.start_world = _start_world(context)

@@ -43,8 +43,10 @@ struct AmbientOcclusionNode {
 
   // Cosine-weighted share of the hemisphere that is free.
   float openness(const ShadingContext& context) const {
-    const float reach = context.get(distance);
-    if (!(reach > 0.0f) || samples < 1 || !can_trace(context)) return 1.0f;
+    if (samples < 1 || !can_trace(context)) return 1.0f;
+    const bool is_unset = !distance.linked() && distance.value == 0.0f;
+    const float reach = is_unset ? context.rays->occlusion_distance : context.get(distance);
+    if (!(reach > 0.0f)) return 1.0f;
     const Vec3 n = context.normal(normal);
     const Frame frame = Frame::from_normal(inside ? -n : n);
     LocalRandom random = random_at(context.surface, 0x3ab1u);

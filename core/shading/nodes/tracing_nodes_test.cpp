@@ -13,9 +13,9 @@ namespace {
 // A wall fills x < 0; the object itself has a ground and, seen by probes along x, a side.
 class Wall final : public RayQueries {
  public:
-  bool is_free(const SurfaceInteraction&, Vec3 direction, float, WorldIndex,
+  bool is_free(const SurfaceInteraction&, Vec3 direction, float distance, WorldIndex,
                bool own_only) const override {
-    return own_only || direction.x > 0.0f;
+    return own_only || direction.x > 0.0f || distance < near;
   }
   size_t own_hits(const SurfaceInteraction& from, const Ray& ray,
                   std::span<OwnHit> hits) const override {
@@ -24,6 +24,7 @@ class Wall final : public RayQueries {
     hits[0] = {from.position, n, n};
     return 1;
   }
+  float near = 0.0f;  // metres to the wall, whatever the direction
 };
 
 Spectrum emitted(const char* node, const RayQueries* rays) {
@@ -48,10 +49,20 @@ TEST(AmbientOcclusion, IsTheFreeShareOfTheHemisphere) {
   EXPECT_FLOAT_EQ(shaded.b, 0.25f * shaded.g);
 }
 
+TEST(AmbientOcclusion, WithoutADistanceReachesAsFarAsTheWorldSays) {
+  Wall wall;
+  wall.near = 2.0f;
+  const char* node = "node: ShaderNodeAmbientOcclusion Distance=0 @samples=64";
+  wall.occlusion_distance = 1.0f;
+  EXPECT_EQ(emitted(node, &wall), Spectrum(1.0f));
+  wall.occlusion_distance = 3.0f;
+  EXPECT_LT(emitted(node, &wall).g, 0.9f);
+}
+
 TEST(AmbientOcclusion, IsFullWhereNothingCanBeMet) {
   EXPECT_EQ(emitted("node: ShaderNodeAmbientOcclusion", nullptr), Spectrum(1.0f));
   const Wall wall;
-  EXPECT_EQ(emitted("node: ShaderNodeAmbientOcclusion Distance=0", &wall), Spectrum(1.0f));
+  EXPECT_EQ(emitted("node: ShaderNodeAmbientOcclusion Distance=-1", &wall), Spectrum(1.0f));
 }
 
 TEST(Bevel, MixesTheNormalsAround) {
