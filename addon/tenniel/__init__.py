@@ -23,6 +23,7 @@ _MODULES = (
     'native',
     'properties',
     'operators',
+    'node_marks',
     'engine',
     'presets',
     'ui',

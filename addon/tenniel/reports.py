@@ -5,6 +5,7 @@ Plain data only: rows outlive the render that made them, and a reference to Blen
 would not survive undo. Safe to use from any thread.
 """
 
+import math
 import threading
 from typing import NamedTuple
 
@@ -32,9 +33,23 @@ class Row(NamedTuple):
         return text[:1].upper() + text[1:]
 
 
+class Coverage(NamedTuple):
+    """How many shader nodes a render used, and how many of them a problem names."""
+    nodes: int
+    reported: int
+
+    def text(self):
+        if self.reported == 0:
+            return f"All {self.nodes} shader nodes are covered"
+        # Rounded down: 100 % is said of all only.
+        percent = math.floor(1000 * (1 - self.reported / self.nodes)) / 10
+        return f"{percent:g} % of {self.nodes} shader nodes are covered"
+
+
 _lock = threading.Lock()
 _counts = {}          # scene name -> {Row with count 1: count}, in order of first occurrence
 _not_kept = {}        # scene name -> occurrences of rows beyond MAX_ROWS
+_node_counts = {}     # scene name -> {material, World or lamp: number of nodes in use}
 _current_scene = ''   # the scene whose render began last
 
 
@@ -63,6 +78,22 @@ def add(severity, text, object='', material='', node='', file='', scene=None):
             _not_kept[scene] = _not_kept.get(scene, 0) + 1
 
 
+def count_nodes(owner, count):
+    """Notes how many nodes of a material, World or lamp (a name) the current scene uses."""
+    with _lock:
+        _node_counts.setdefault(_current_scene, {})[owner] = count
+
+
+def coverage(scene):
+    """Coverage of the scene's (a name) last export, or None if it used no nodes."""
+    with _lock:
+        counts = _node_counts.get(scene, {})
+        named = {(row.material, row.node) for row in _counts.get(scene, {})
+                 if row.node and row.severity != 'INFO' and row.material in counts}
+        nodes = sum(counts.values())
+    return Coverage(nodes, min(len(named), nodes)) if nodes else None
+
+
 def rows(scene=None):
     """Rows of a scene (a name; the last begun if None): errors first, then in order of arrival."""
     with _lock:
@@ -81,6 +112,7 @@ def clear(scene=None):
         if scene is None:
             _counts.clear()
             _not_kept.clear()
+            _node_counts.clear()
         else:
             _forget(scene)
 
@@ -88,3 +120,4 @@ def clear(scene=None):
 def _forget(scene):
     _counts.pop(scene, None)
     _not_kept.pop(scene, None)
+    _node_counts.pop(scene, None)

@@ -284,3 +284,6 @@ def _print_reports(scene_name):
         print(f"Tenniel {row.severity.lower()}: {where + ': ' if where else ''}{row.text}{count}")
     if len(rows) > _MAX_PRINTED_REPORTS:
         print(f"Tenniel: {len(rows) - _MAX_PRINTED_REPORTS} more problems")
+    coverage = reports.coverage(scene_name)
+    if coverage and coverage.reported:
+        print(f"Tenniel: {coverage.text()}")

@@ -223,6 +223,23 @@ class ReportsTest(unittest.TestCase):
         reports.begin("two")
         self.assertEqual(reports.rows("two"), [])
 
+    def test_coverage(self):
+        """Of nodes in use; a node counts once, and 100 % is said of all only."""
+        reports.begin("s")
+        self.assertIsNone(reports.coverage("s"))
+        reports.count_nodes("Oak", 1999)
+        reports.count_nodes("Oak", 1999)
+        reports.count_nodes("Sky", 1)
+        self.assertEqual(reports.coverage("s").text(), "All 2000 shader nodes are covered")
+        reports.add('INFO', "a remark", material="Oak", node="Noise")
+        reports.add('WARNING', "unknown", material="Sky", node="Script")
+        reports.add('ERROR', "and broken", material="Sky", node="Script")
+        reports.add('WARNING', "of the object", material="Sky")
+        self.assertEqual(reports.coverage("s"), (2000, 1))
+        self.assertEqual(reports.coverage("s").text(), "99.9 % of 2000 shader nodes are covered")
+        reports.begin("s")
+        self.assertIsNone(reports.coverage("s"))
+
     def test_number_of_rows_is_bounded(self):
         reports.begin("s")
         for number in range(reports.MAX_ROWS + 7):

@@ -314,6 +314,12 @@ class PanelTest(unittest.TestCase):
         calls = self.draw_all(self.context())['TENNIEL_RENDER_PT_report']
         self.assertIn("broken image (2 times)", str(calls))
 
+    def test_coverage_without_problems(self):
+        reports.begin(self.scene.name)
+        reports.count_nodes("Oak", 7)
+        calls = self.draw_all(self.context())['TENNIEL_RENDER_PT_report']
+        self.assertIn("All 7 shader nodes are covered", str(calls))
+
 
 def menu_entries(engine, shader_type):
     """Number of node types the Add menu of the shader editor offers."""

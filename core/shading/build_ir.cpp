@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <set>
 #include <utility>
 
 #include "shading/compiler_passes.h"
@@ -64,10 +63,9 @@ class IrBuilder {
     const GraphNode& from = graph_.nodes[index];
     const NodeType* type = registry_.find(from.type);
     if (!type) {
-      if (unknown_types_.insert(from.type).second)
-        report(context_, from.name,
-               "node type " + from.type + " is not supported; what reads it keeps its own value, " +
-                   "a shader is shown as plain diffuse");
+      report(context_, from.name,
+             "node type " + from.type + " is not supported; what reads it keeps its own value, " +
+                 "a shader is shown as plain diffuse");
       return id = k_unknown;
     }
     id = ir_.add(*type);
@@ -154,7 +152,6 @@ class IrBuilder {
   std::vector<int> ids_;
   std::vector<std::vector<size_t>> links_to_;
   std::vector<uint32_t> pending_;
-  std::set<std::string> unknown_types_;
   int stand_in_ = -1;
   ShaderIr ir_;
 };

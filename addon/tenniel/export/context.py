@@ -77,6 +77,10 @@ class ExportContext:
         """Adds a row to the Render Report; `where`: object, material, node, file."""
         reports.add(severity, text, **where)
 
+    def count_nodes(self, owner, count):
+        """Notes how many shader nodes of `owner` (a name) are used, for the Render Report."""
+        reports.count_nodes(owner, count)
+
     def report_exception(self, what='', **where):
         """For the handler of an exception that costs one data-block, not the render.
 

@@ -100,6 +100,7 @@ class _Flattener:
         # No recursion: a chain of nodes may be longer than Python's stack is deep.
         while self._waiting:
             self._fill(*self._waiting.pop())
+        self._context.count_nodes(self._owner, len(self._indices))
         return self._graph, self._needs
 
     # One node ------------------------------------------------------------------------------------

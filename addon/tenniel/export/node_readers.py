@@ -57,8 +57,6 @@ def read(context, node, known, needs, report):
         mapping = texture_mapping(node.texture_mapping)
         if mapping is not None:
             settings['texture_mapping'] = mapping
-        if node.texture_mapping.use_min or node.texture_mapping.use_max:
-            report("The limits of its texture mapping are not supported")
     if node.bl_idname.startswith('ShaderNodeTex') and node.bl_idname not in _WITHOUT_COORDINATE:
         needs.attributes.add(GENERATED)
     reader = _conductor if node.type == 'GROUP' else _READERS.get(node.bl_idname)

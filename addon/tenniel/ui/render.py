@@ -176,15 +176,23 @@ class TENNIEL_RENDER_PT_report(RenderPanel, Panel):
 
     @classmethod
     def poll(cls, context):
-        return super().poll(context) and bool(reports.rows(context.scene.name))
+        name = context.scene.name
+        return super().poll(context) and bool(reports.rows(name) or reports.coverage(name))
 
     def draw(self, context):
         rows = reports.rows(context.scene.name)
+        coverage = reports.coverage(context.scene.name)
+        if coverage:
+            self.layout.label(text=coverage.text(),
+                              icon='INFO' if coverage.reported else 'CHECKMARK')
         width = context.region.width if context.region else 300
         for report in rows[:_MAX_ROWS_SHOWN]:
             _draw_report(self.layout, report, width)
         if len(rows) > _MAX_ROWS_SHOWN:
             self.layout.label(text=f"and {len(rows) - _MAX_ROWS_SHOWN} more")
+        marks = self.layout.row(align=True)
+        marks.operator('tenniel.mark_nodes', icon='COLOR')
+        marks.operator('tenniel.clear_node_marks')
         self.layout.operator('tenniel.clear_reports', text="Clear", icon='X')
 
 

@@ -52,7 +52,7 @@ TEST(AmbientOcclusion, IsTheFreeShareOfTheHemisphere) {
 TEST(AmbientOcclusion, WithoutADistanceReachesAsFarAsTheWorldSays) {
   Wall wall;
   wall.near = 2.0f;
-  const char* node = "node: ShaderNodeAmbientOcclusion Distance=0 @samples=64";
+  const char* node = "node: ShaderNodeAmbientOcclusion Distance=0";
   wall.occlusion_distance = 1.0f;
   EXPECT_EQ(emitted(node, &wall), Spectrum(1.0f));
   wall.occlusion_distance = 3.0f;
