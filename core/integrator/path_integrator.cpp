@@ -345,9 +345,13 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
 bool PathTracer::scatter_below(const SurfaceInteraction& at, const BsdfSample& sample) {
   const Subsurface lobe = *sample.subsurface;
   const float footprint = at.footprint;
-  const uint32_t seed = hash_uint(float_bits(numbers_.lobe), float_bits(numbers_.roulette));
-  const SubsurfaceEntry entry{at,          sample.wi,         state_.throughput * sample.weight,
-                              numbers_.wi, numbers_.roulette, seed};
+  const SubsurfaceEntry entry{at,
+                              sample.wi,
+                              state_.throughput * sample.weight,
+                              numbers_.wi,
+                              numbers_.roulette,
+                              worker_.sampler,
+                              state_.vertices};
   const auto exit = find_exit(scene_, lobe, entry);
   if (!exit || !is_finite(exit->throughput)) return false;
   state_.throughput = exit->throughput;

@@ -16,7 +16,8 @@ struct SubsurfaceEntry {
   Spectrum throughput;  // of the path, the lobe's weight included
   Vec2 u;               // stratified numbers for what comes first
   float choice = 0.0f;  // one more
-  uint32_t seed = 0;    // of numbers for what comes next
+  Sampler& sampler;     // for what comes next
+  uint32_t vertex = 0;  // of the path: which of the sampler's dimensions are free
 };
 
 // Where it leaves. `ray` comes from outside, so that what it meets has its front outside.

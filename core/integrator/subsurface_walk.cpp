@@ -16,6 +16,10 @@ namespace {
 // Blender's limit: a ball ten mean free paths thick, or dull colors, lose nothing by it, but a
 // white half-space 8 % of its light.
 constexpr int k_max_flights = 256;
+// The first flights decide most and have stratified numbers, with dimensions apart from those of
+// surfaces and media. Measured on a ball: 0.6 of the variance that plain ones give.
+constexpr uint32_t k_first_dimension = 1u << 17;
+constexpr int k_stratified_flights = 12;
 // From the flight after this many on the medium is isotropic.
 constexpr int k_anisotropic_flights = 10;
 // Guided flights where scattering is isotropic so: after that change, and before.
@@ -66,7 +70,7 @@ class Walk {
         medium_(lobe.color, lobe.radius, lobe.anisotropy),
         guide_(max_component(medium_.single_albedo)),
         throughput_(divided(entry.throughput, lobe.color) * medium_.scale),
-        random_(entry.seed) {
+        random_(hash_uint(float_bits(entry.u.x), float_bits(entry.u.y), float_bits(entry.choice))) {
     guided_share_ = std::min(k_most_guided_share, 1.0f - std::pow(lobe.anisotropy, 0.125f));
   }
 
@@ -83,6 +87,7 @@ class Walk {
   };
 
   bool start();
+  void take_numbers(int flight);
   std::optional<Hit> first_flight(float& t);
   Guidance turn();
   Spectrum density(const Guidance& guidance, float t, bool is_ended) const;
@@ -94,6 +99,7 @@ class Walk {
   Dwivedi guide_;
   Spectrum throughput_;
   LocalRandom random_;
+  VertexNumbers u_{};  // of this flight
   Ray ray_;
   float guided_share_;
   float far_side_ = 0.0f;  // metres below the entry; 0: none nearby
@@ -113,6 +119,20 @@ bool Walk::start() {
   ray_.direction = direction;
   ray_.time = entry_.at.time;
   return max_component(throughput_) > 0.0f;
+}
+
+void Walk::take_numbers(int flight) {
+  constexpr uint32_t k_requests = VertexNumbers::k_requests;
+  if (flight < k_stratified_flights) {
+    const uint32_t index = entry_.vertex * k_stratified_flights + static_cast<uint32_t>(flight);
+    u_ = entry_.sampler.vertex_numbers(k_first_dimension + index * k_requests);
+    return;
+  }
+  u_.light = random_.get_1d();
+  u_.on_light.x = random_.get_1d();
+  u_.lobe = random_.get_1d();
+  u_.wi = random_.get_2d();
+  u_.roulette = random_.get_1d();
 }
 
 // Looks farther than it flies, for the far side.
@@ -139,9 +159,9 @@ float Walk::share_to_far_side() const {
 Walk::Guidance Walk::turn() {
   Guidance g;
   g.backward_share = share_to_far_side();
-  const bool is_guided = random_.get_1d() < guided_share_;
-  const bool is_backward = random_.get_1d() < g.backward_share;
-  const Vec2 u = random_.get_2d();
+  const bool is_guided = u_.roulette < guided_share_;
+  const bool is_backward = u_.on_light.x < g.backward_share;
+  const Vec2 u = u_.wi;
   const Vec3 before = ray_.direction;
   float cosine;  // with the normal
   if (is_guided) {
@@ -180,11 +200,11 @@ std::optional<SubsurfaceExit> Walk::run() {
       guided_share_ = k_late_guided_share;
     }
     const ChannelChoice channel(throughput_ * medium_.single_albedo);
-    const float sigma = channel.pick(medium_.sigma_t, random_.get_1d());
-    const float u = random_.get_1d();
+    take_numbers(flight);
+    const float sigma = channel.pick(medium_.sigma_t, u_.light);
     const bool is_first = flight == 0;
     const Guidance guidance = is_first ? Guidance{} : turn();
-    float t = -std::log1p(-u) / (sigma * guidance.used_stretch);
+    float t = -std::log1p(-u_.lobe) / (sigma * guidance.used_stretch);
     std::optional<Hit> hit;
     if (is_first) {
       hit = first_flight(t);
