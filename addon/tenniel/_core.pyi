@@ -203,6 +203,7 @@ class RenderSettings:
     volume_bounces: int
     transparent_max_bounces: int
     min_light_bounces: int
+    use_radiance_cache: bool
     clamp_direct: float
     clamp_indirect: float
     blur_glossy: float

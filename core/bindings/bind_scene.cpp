@@ -178,6 +178,7 @@ void bind_settings(py::module_& module) {
       .field("volume_bounces", &RenderSettings::volume_bounces)
       .field("transparent_max_bounces", &RenderSettings::transparent_max_bounces)
       .field("min_light_bounces", &RenderSettings::min_light_bounces)
+      .field("use_radiance_cache", &RenderSettings::use_radiance_cache)
       .field("clamp_direct", &RenderSettings::clamp_direct)
       .field("clamp_indirect", &RenderSettings::clamp_indirect)
       .field("blur_glossy", &RenderSettings::blur_glossy)

@@ -8,6 +8,7 @@
 #include "integrator/media_transmittance.h"
 #include "integrator/mirror.h"
 #include "integrator/path_state.h"
+#include "integrator/roulette.h"
 #include "integrator/subsurface.h"
 #include "integrator/volume_walk.h"
 
@@ -25,8 +26,9 @@ constexpr uint32_t k_max_vertices = 1024;
 // One path under way.
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, const RenderSettings& settings, Worker& worker)
-      : scene_(scene), settings_(settings), worker_(worker) {}
+  PathTracer(const Scene& scene, const RenderSettings& settings, const RadianceCache* cache,
+             Worker& worker)
+      : scene_(scene), settings_(settings), cache_(cache), worker_(worker) {}
 
   SampleResult trace(Vec2 raster);
 
@@ -34,6 +36,7 @@ class PathTracer {
   bool start(Vec2 raster);
   const SurfaceInteraction& arrive(const Hit& hit);
   void add(Spectrum radiance, int bounces, bool is_through_glass);
+  void add_to_pixel(Spectrum seen, bool is_through_glass);
   void add_lamps(float t_max);
   void add_background();
   void add_emission(const SurfaceInteraction& at);
@@ -42,6 +45,7 @@ class PathTracer {
   bool apply_holdout(const SurfaceInteraction& at);
   void record_first_surface(const SurfaceInteraction& at);
   bool survives(float u);
+  bool survives_bounce(const SurfaceInteraction& at, const BsdfSample& sample);
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
   bool scatter_below(const SurfaceInteraction& at, const BsdfSample& sample);
@@ -55,11 +59,13 @@ class PathTracer {
 
   const Scene& scene_;
   const RenderSettings& settings_;
+  const RadianceCache* cache_;
   Worker& worker_;
   PathState state_;
   VertexNumbers numbers_{};
   SampleResult result_;
   bool is_recorded_ = false;
+  float worthwhile_ = 0.0f;  // change of the pixel that is worth a ray; 0: not yet known
 };
 
 bool PathTracer::start(Vec2 raster) {
@@ -120,7 +126,10 @@ void PathTracer::take_numbers() {
 }
 
 void PathTracer::add(Spectrum radiance, int bounces, bool is_through_glass) {
-  const Spectrum seen = clamped(state_.throughput * radiance, bounces, settings_);
+  add_to_pixel(clamped(state_.throughput * radiance, bounces, settings_), is_through_glass);
+}
+
+void PathTracer::add_to_pixel(Spectrum seen, bool is_through_glass) {
   result_.radiance += seen;
   if (is_through_glass) result_.dream_radiance += seen;
 }
@@ -248,6 +257,34 @@ bool PathTracer::survives(float u) {
   return true;
 }
 
+// The same for a bounce whose worth may be known.
+bool PathTracer::survives_bounce(const SurfaceInteraction& at, const BsdfSample& sample) {
+  const float cosine = dot(at.geometric_normal, sample.wi);
+  if (!sample.is_diffuse || !(cosine > 0.0f)) return survives(numbers_.roulette);
+  const WorldIndex world = state_.info.world;
+  if (worker_.recorder) {
+    const float weight = std::min(cosine * k_inv_pi / sample.pdf, 4.0f);
+    worker_.recorder->diffuse_bounce({at.position, at.geometric_normal, world, {}, weight},
+                                     state_.throughput, result_.radiance);
+  }
+  if (!cache_ || state_.info.ray_depth <= settings_.min_light_bounces)
+    return survives(numbers_.roulette);
+  const CachedRadiance* known = cache_->find(at.position, at.geometric_normal, world);
+  if (!known) return survives(numbers_.roulette);
+
+  const Spectrum expected = state_.throughput * known->mean;
+  if (!(worthwhile_ > 0.0f))
+    worthwhile_ = worthwhile_change(result_.radiance + expected, cache_->picture_mean());
+  const float probability =
+      roulette_probability(max_component(state_.throughput) * known->deviation, worthwhile_,
+                           k_least_share * survival_probability(state_, settings_));
+  if (probability >= 1.0f) return true;
+  const bool survives = numbers_.roulette < probability;
+  add_to_pixel(survives ? expected * (1.0f - 1.0f / probability) : expected, state_.has_entered);
+  if (survives) state_.throughput *= 1.0f / probability;
+  return survives;
+}
+
 void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint& point) {
   if (state_.ends_after_transparent || sees_emission_only(state_, settings_)) return;
   const LobeSet smooth = worker_.surface.bsdf.smooth_lobes();
@@ -337,7 +374,8 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;
   state_.length_before = 0.0f;
-  return survives(numbers_.roulette) && (!state_.ends_after_transparent || may_still_meet_light());
+  if (state_.ends_after_transparent) return survives(numbers_.roulette) && may_still_meet_light();
+  return survives_bounce(at, *sample);
 }
 
 // Below the surface of the object and out again, as one vertex more that counts as no bounce: its
@@ -379,7 +417,7 @@ bool PathTracer::may_still_meet_light() {
 }  // namespace
 
 SampleResult PathIntegrator::trace(Vec2 raster, Worker& worker) const {
-  return PathTracer(scene_, settings_, worker).trace(raster);
+  return PathTracer(scene_, settings_, cache_, worker).trace(raster);
 }
 
 }  // namespace tenniel

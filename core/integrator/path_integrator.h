@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "integrator/radiance_cache.h"
 #include "integrator/worker.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
@@ -22,9 +23,10 @@ struct SampleResult {
 // Unidirectional path tracing with next-event estimation. Const; one Worker a thread.
 class PathIntegrator {
  public:
-  // Both must outlive the integrator.
-  PathIntegrator(const Scene& scene, const RenderSettings& settings)
-      : scene_(scene), settings_(settings) {}
+  // All must outlive the integrator. `cache`: a guess of the light for the roulette, or null.
+  PathIntegrator(const Scene& scene, const RenderSettings& settings,
+                 const RadianceCache* cache = nullptr)
+      : scene_(scene), settings_(settings), cache_(cache) {}
 
   // `raster`: position on the film in pixels, (0, 0) the lower left corner of the whole picture.
   // The worker's sampler stands at the sample; its first dimensions belong to the caller.
@@ -36,6 +38,7 @@ class PathIntegrator {
  private:
   const Scene& scene_;
   const RenderSettings& settings_;
+  const RadianceCache* cache_;
 };
 
 }  // namespace tenniel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "integrator/path_recorder.h"
 #include "integrator/segment_media.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
@@ -25,6 +26,7 @@ struct Worker {
   ShadingContext surface;   // the surface the path is at
   ShadingContext light;     // what a light, a shadow caster or the background says meanwhile
   std::vector<MediumStep> medium_steps;  // of the segment the path is on
+  PathRecorder* recorder = nullptr;      // of a training path
 };
 
 }  // namespace tenniel

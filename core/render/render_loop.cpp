@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/render_loop.h"
 
-#include <immintrin.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -9,25 +8,14 @@
 
 #include "film/pixel_filter.h"
 #include "integrator/path_integrator.h"
+#include "render/flush_denormals.h"
+#include "render/light_training.h"
 
 namespace tenniel {
 
 namespace {
 
 constexpr int k_max_samples_per_visit = 16;
-
-// Denormals cost a hundredfold and mean nothing here. The threads are shared with Blender, so the
-// mode is put back.
-class FlushDenormals {
- public:
-  FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040u); }  // FTZ | DAZ
-  ~FlushDenormals() { _mm_setcsr(saved_); }
-  FlushDenormals(const FlushDenormals&) = delete;
-  FlushDenormals& operator=(const FlushDenormals&) = delete;
-
- private:
-  unsigned saved_;
-};
 
 PixelFilter filter_of(const RenderSettings& settings) {
   const PixelFilter::Kind kind = settings.pixel_filter == "BOX" ? PixelFilter::Kind::box
@@ -41,15 +29,16 @@ class RenderLoop {
  public:
   RenderLoop(const Scene& scene, const RenderSettings& settings, Film& film,
              RenderCounters& counters, const std::function<void(size_t)>& on_tile)
-      : settings_(settings),
+      : scene_(scene),
+        settings_(settings),
         film_(film),
         counters_(counters),
         on_tile_(on_tile),
-        integrator_(scene, settings),
         filter_(filter_of(settings)),
         workers_([&scene, &settings] { return Worker(scene, settings.seed); }) {}
 
   void run() {
+    cache_ = learn_radiance(scene_, settings_, counters_.cancelled);
     const int total = std::max(settings_.samples, 1);
     for (int first = 0, count = 1; first < total && !must_stop();) {
       const int end = std::min(first + count, total);
@@ -116,7 +105,7 @@ class RenderLoop {
     const Vec2 raster{static_cast<float>(x) + 0.5f + offset.x,
                       static_cast<float>(y) + 0.5f + offset.y};
     std::fill(worker.aovs.begin(), worker.aovs.end(), 0.0f);
-    const SampleResult r = integrator_.trace(raster, worker);
+    const SampleResult r = PathIntegrator(scene_, settings_, cache_.get()).trace(raster, worker);
     return {r.radiance, r.transparency, r.depth, r.normal, r.dream, r.dream_radiance};
   }
 
@@ -129,11 +118,12 @@ class RenderLoop {
     return is_finite(s.radiance) && std::isfinite(s.transparency) && is_finite(s.normal);
   }
 
+  const Scene& scene_;
   const RenderSettings& settings_;
   Film& film_;
   RenderCounters& counters_;
   const std::function<void(size_t)>& on_tile_;
-  PathIntegrator integrator_;
+  std::unique_ptr<const RadianceCache> cache_;
   PixelFilter filter_;
   tbb::enumerable_thread_specific<Worker> workers_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

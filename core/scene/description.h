@@ -178,6 +178,7 @@ struct RenderSettings {
   int volume_bounces = 0;
   int transparent_max_bounces = 8;
   int min_light_bounces = 0;                          // no roulette before
+  bool use_radiance_cache = true;  // learn for a moment what bounces bring, for the roulette
   float clamp_direct = 0.0f, clamp_indirect = 10.0f;  // 0 = none
   float blur_glossy = 1.0f;
   bool caustics_reflective = true, caustics_refractive = true;

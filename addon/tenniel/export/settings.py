@@ -38,6 +38,8 @@ def export_settings(context):
         target.occlusion_distance = context.scene.world.light_settings.distance
     if view.is_viewport:
         target.time_limit = 0.0
+        # It starts anew at every move: each first picture would wait for the training.
+        target.use_radiance_cache = False
         target.start_world = _start_world(context)
     return target
 
