@@ -2,7 +2,8 @@
 """Runs inside Blender for run.py: discover the cases, run those asked for, report each as a line.
 
 Lines are JSON objects on the file descriptor named by TENNIEL_TEST_FD; what to do comes from the
-JSON file named by TENNIEL_TEST_JOB: {"pattern", "only" (test ids or null), "list", "report"}.
+JSON file named by TENNIEL_TEST_JOB: {"patterns", "only" (test ids or null), "list", "report",
+"parity" (file to write or null)}.
 """
 import json
 import os
@@ -15,7 +16,7 @@ import bpy
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
 
-from support import case  # noqa: E402  (needs the path set above)
+from support import case, parity_log  # noqa: E402  (needs the path set above)
 from support.render import TESTED_ENGINE  # noqa: E402
 
 
@@ -99,7 +100,8 @@ def main():
     channel = Channel()
     with open(os.environ["TENNIEL_TEST_JOB"], encoding="utf-8") as stream:
         job = json.load(stream)
-    tests = [t for t in discover() if job["pattern"].lower() in test_id(t).lower()]
+    tests = [t for t in discover()
+             if any(pattern.lower() in test_id(t).lower() for pattern in job["patterns"])]
     if job["only"] is not None:
         wanted = set(job["only"])
         tests = [t for t in tests if test_id(t) in wanted]
@@ -111,9 +113,12 @@ def main():
         return
     if job["report"]:
         case.open_report(job["report"])
+    if job["parity"]:
+        parity_log.open_log(job["parity"])
     result = StreamingResult(channel)
     for test in tests:
         test.run(result)
+        parity_log.save()
     case.close_report()
     channel.send("done")
 

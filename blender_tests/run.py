@@ -20,6 +20,8 @@ import tempfile
 import threading
 import time
 
+from support import parity_page
+
 FOLDER = pathlib.Path(__file__).resolve().parent
 REPOSITORY = FOLDER.parent
 LOG_LINES = 40
@@ -112,8 +114,11 @@ class Runner:
             report = self.options.report
             if report and batch_number:
                 report = os.path.join(report, f"part{batch_number + 1}")
-            job = {"pattern": self.options.k, "only": remaining, "list": self.options.list,
-                   "report": report}
+            parity = self.options.parity
+            if parity:
+                parity = os.path.join(parity, f"part{batch_number + 1}.json")
+            job = {"patterns": self.options.k or [""], "only": remaining,
+                   "list": self.options.list, "report": report, "parity": parity}
             if not self._run_batch(job):
                 break
             remaining = [name for name in self.plan if name not in self.results]
@@ -184,17 +189,30 @@ class Runner:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("-k", default="", metavar="PATTERN",
-                        help="only tests whose id contains this (case does not matter)")
+    parser.add_argument("-k", action="append", metavar="PATTERN",
+                        help="only tests whose id contains this (case does not matter); may be "
+                             "given several times")
     parser.add_argument("--list", action="store_true", help="print the ids and stop")
     parser.add_argument("--report", metavar="DIR",
                         help="write a page with tested / reference / difference pictures")
+    parser.add_argument("--parity", metavar="DIR",
+                        help="write DIR/PARITY.md, what each shader node was tried with; "
+                             "without -k of all tests of nodes")
     parser.add_argument("--timeout", type=float, default=300.0,
                         help="seconds a single test may take (default 300)")
     options = parser.parse_args()
     if options.report:
         options.report = os.path.abspath(options.report)
-    return Runner(options).run()
+    if options.parity:
+        options.parity = os.path.abspath(options.parity)
+        os.makedirs(options.parity, exist_ok=True)
+        for old in pathlib.Path(options.parity).glob("part*.json"):
+            old.unlink()
+        options.k = options.k or list(parity_page.CASES)
+    status = Runner(options).run()
+    if options.parity and not options.list:
+        parity_page.write(options.parity, os.path.join(options.parity, "PARITY.md"))
+    return status
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 """Passes of the artist's own, against Cycles."""
 import bpy
 
-from support import scene_factory
+from support import parity_log, scene_factory
 from support.case import RenderTestCase
 from support.render import REFERENCE_ENGINE, TESTED_ENGINE, render
 
@@ -50,6 +50,7 @@ class AovTest(RenderTestCase):
         for channel, tested, reference in zip(CHANNELS, means(TESTED_ENGINE),
                                               means(REFERENCE_ENGINE)):
             self.assertEqual(len(tested), 1, f"{title}: {channel}")
+            parity_log.picture(tested[0] - reference[0], 0.0, tolerance * max(1.0, abs(reference[0])))
             self.assertAlmostEqual(tested[0], reference[0], msg=f"{title}: {channel}",
                                    delta=tolerance * max(1.0, abs(reference[0])))
 

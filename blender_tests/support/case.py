@@ -3,7 +3,7 @@
 import os
 import unittest
 
-from . import compare, report, scene_factory
+from . import compare, parity_log, report, scene_factory
 from .render import REFERENCE_ENGINE, TESTED_ENGINE, render_pair
 
 _report = None
@@ -46,6 +46,7 @@ class RenderTestCase(unittest.TestCase):
         """Compare two lists of pictures (one a seed) by block means."""
         size = block or max(tested[0].width, tested[0].height)
         result = compare.compare_blocks(tested, reference, size, relative, absolute, max_noise)
+        parity_log.picture(result.mean_relative, result.noise, relative)
         title = f"{self.id().split('.', 1)[-1]} {name}"
         show(title, tested[0].average_with(tested[1:]), reference[0].average_with(reference[1:]),
              str(result), bool(result))

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import bpy
 
-from . import scene_factory
+from . import parity_log, scene_factory
 from .render import REFERENCE_ENGINE, TESTED_ENGINE, render
 
 PIXELS_PER_TILE = 3
@@ -103,6 +103,8 @@ class TileGrid:
         resolution = self.build()
         tested = self.values(TESTED_ENGINE, resolution)
         reference = self.values(REFERENCE_ENGINE, resolution)
+        for tile, t, r in zip(self.tiles, tested, reference):
+            parity_log.tile(tile.material, excess(t, r), tolerance)
         return [mismatch(tile.label, t, r)
                 for tile, t, r in zip(self.tiles, tested, reference)
                 if not agree(t, r, tolerance=tolerance)]
@@ -161,6 +163,8 @@ class FieldGrid:
                           for dx, dy in ((-1, 0), (1, 0), (0, -1), (0, 1))]
             slack = [self.GRADIENT_SHARE * max(abs(n[c] - reference[c]) for n in neighbours)
                      for c in range(3)]
+            parity_log.tile(self.objects[i].data.materials[0], excess(tested, reference, slack),
+                            tolerance)
             if not agree(tested, reference, slack, tolerance):
                 failures.append(mismatch(label, tested, reference))
         return failures
@@ -169,6 +173,12 @@ class FieldGrid:
 def centre_pixel(index, count, pixels=PIXELS_PER_TILE):
     columns = _columns(count)
     return (pixels * (index % columns) + pixels // 2, pixels * (index // columns) + pixels // 2)
+
+
+def excess(tested, reference, slack=(0.0, 0.0, 0.0)):
+    """Largest difference beyond `slack`, relative to values above 1; infinite for NaN."""
+    return max((d if (d := (abs(t - r) - s) / max(1.0, abs(r))) == d else math.inf
+                for t, r, s in zip(tested, reference, slack)), default=0.0)
 
 
 def agree(tested, reference, slack=(0.0, 0.0, 0.0), tolerance=TOLERANCE):

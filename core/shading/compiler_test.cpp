@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <limits>
 
 #include "shading/nodes/register.h"
@@ -306,7 +306,7 @@ TEST(Compiler, WorldsOnlyEmit) {
   EXPECT_EQ(m.material.surface.listing(), "ShaderNodeBackground((1, 1, 1), 2; weight 1)\n");
 }
 
-TEST(Compiler, IsFastOnFiveHundredNodes) {
+TEST(Compiler, LongChainsTakeFewRegisters) {
   std::string text = "n0: Probe\n";
   std::string last = "n0.Value";
   for (int i = 1; i < 500; ++i) {
@@ -318,17 +318,10 @@ TEST(Compiler, IsFastOnFiveHundredNodes) {
   text += "e: ShaderNodeEmission Strength<" + last;
   text += "\nout: ShaderNodeOutputMaterial Surface<e.Emission";
   const NodeGraph graph = GraphText::parse(text);
-  double best = 1e9;
-  for (int run = 0; run < 5; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    const TestMaterial m(graph, {}, true, &test_registry());
-    const auto end = std::chrono::steady_clock::now();
-    best = std::min(best, std::chrono::duration<double, std::milli>(end - start).count());
-    EXPECT_FALSE(m.material.surface.empty());
-  }
-#ifdef NDEBUG
-  EXPECT_LT(best, 10.0);
-#endif
+  const TestMaterial m(graph, {}, true, &test_registry());
+  const std::string listing = m.material.surface.listing();
+  EXPECT_EQ(std::count(listing.begin(), listing.end(), '\n'), 501);
+  EXPECT_LE(m.material.surface.register_count(), 3u);
 }
 
 TEST(RequiredTangents, NamesTheUvMapsOfTangentNodes) {
