@@ -50,7 +50,8 @@ class AovTest(RenderTestCase):
         for channel, tested, reference in zip(CHANNELS, means(TESTED_ENGINE),
                                               means(REFERENCE_ENGINE)):
             self.assertEqual(len(tested), 1, f"{title}: {channel}")
-            parity_log.picture(tested[0] - reference[0], 0.0, tolerance * max(1.0, abs(reference[0])))
+            difference = abs(tested[0] - reference[0]) / max(1.0, abs(reference[0]))
+            parity_log.picture(difference, 0.0, difference <= tolerance)
             self.assertAlmostEqual(tested[0], reference[0], msg=f"{title}: {channel}",
                                    delta=tolerance * max(1.0, abs(reference[0])))
 

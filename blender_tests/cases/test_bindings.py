@@ -25,7 +25,8 @@ class ModuleTest(unittest.TestCase):
                                  ("Dream", 3, "RGB")])
 
     def test_node_types_are_those_of_blender(self):
-        kinds = {'boolean', 'integer', 'number', 'choice', 'text', 'table', 'image', 'attribute'}
+        kinds = {'boolean', 'integer', 'number', 'choice', 'text', 'table', 'image', 'attribute',
+                 'aov'}
         types = core.node_types()
         self.assertIn('ShaderNodeBsdfDiffuse', types)
         for idname, info in types.items():

@@ -46,7 +46,7 @@ class RenderTestCase(unittest.TestCase):
         """Compare two lists of pictures (one a seed) by block means."""
         size = block or max(tested[0].width, tested[0].height)
         result = compare.compare_blocks(tested, reference, size, relative, absolute, max_noise)
-        parity_log.picture(result.mean_relative, result.noise, relative)
+        parity_log.picture(result.mean_excess, result.noise, bool(result))
         title = f"{self.id().split('.', 1)[-1]} {name}"
         show(title, tested[0].average_with(tested[1:]), reference[0].average_with(reference[1:]),
              str(result), bool(result))

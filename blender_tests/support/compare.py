@@ -32,6 +32,7 @@ class Comparison:
     failures: list = field(default_factory=list)
     largest_relative: float = 0.0
     mean_relative: float = 0.0
+    mean_excess: float = 0.0    # of mean_relative, what `absolute` does not allow for
     noise: float = 0.0
     weak: str = ""
 
@@ -142,6 +143,8 @@ def compare_blocks(tested, reference, size, relative=0.005, absolute=1e-5, max_n
                 result.largest_relative = max(result.largest_relative, abs(difference) / scale)
     if sums["reference"] > 0.0:
         result.mean_relative = sums["difference"] / sums["reference"]
+        allowance = absolute * 3 * len(ours) / 4 / sums["reference"]
+        result.mean_excess = max(abs(result.mean_relative) - allowance, 0.0)
         result.noise = sums["error"] / sums["reference"]
     allowed = relative if max_noise is None else max_noise
     if result.noise > max(allowed, 1e-6):

@@ -32,11 +32,12 @@ def save():
 def tile(material, difference, limit):
     """One value of one graph: `difference` relative to max(1, |value|)."""
     if _path is not None:
-        _record(_subjects([material.node_tree]), "value", abs(difference), limit)
+        _record(_subjects([material.node_tree]), "value", difference, difference <= limit)
 
 
-def picture(mean, noise, limit):
-    """Whole pictures of the context's scene: relative difference of the means."""
+def picture(difference, noise, passed):
+    """Whole pictures of the context's scene: relative difference of the means, its statistical
+    error, and whether the test is content with them."""
     if _path is None:
         return
     scene = bpy.context.scene
@@ -47,7 +48,7 @@ def picture(mean, noise, limit):
         trees += [slot.material.node_tree for slot in obj.material_slots if slot.material]
     if scene.world is not None and scene.world.use_nodes:
         trees.append(scene.world.node_tree)
-    _record(_subjects([tree for tree in trees if tree]), "picture", abs(mean), limit, noise)
+    _record(_subjects([tree for tree in trees if tree]), "picture", difference, passed, noise)
 
 
 def _subjects(trees):
@@ -68,17 +69,17 @@ def _nodes_of(tree, seen):
             yield from _nodes_of(node.node_tree, seen)
 
 
-def _record(nodes, kind, difference, limit, noise=0.0):
+def _record(nodes, kind, difference, passed, noise=0.0):
     for idname in {node.bl_idname for node in nodes}:
         entry = _entries.setdefault(idname, {
-            "value": {"count": 0, "worst": 0.0, "limit": 0.0, "failed": 0},
-            "picture": {"count": 0, "worst": 0.0, "limit": 0.0, "failed": 0, "noise": 0.0},
+            "value": {"count": 0, "worst": 0.0, "failed": 0},
+            "picture": {"count": 0, "worst": 0.0, "failed": 0, "noise": 0.0},
             "settings": {}})
         part = entry[kind]
         part["count"] += 1
-        part["failed"] += not difference <= limit + 4.0 * noise
+        part["failed"] += not passed
         if difference >= part["worst"]:
-            part["worst"], part["limit"] = difference, limit
+            part["worst"] = difference
             if kind == "picture":
                 part["noise"] = noise
     for node in nodes:

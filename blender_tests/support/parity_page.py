@@ -92,8 +92,8 @@ Made by `./tenniel test parity`; do not edit. Both engines of the same Blender r
 
 *Values*: the node drawn as emission, each setting with several inputs, as constants and through
 links; the worst difference of any, relative to the value where that is above 1. *Pictures*: surfaces
-and volumes under worlds and lamps; the worst difference of the means of two pictures, and its
-statistical error. A comparison counts for every node in it, so the figures of a node may be those of
+and volumes under worlds and lamps; the worst difference of the means of two pictures (beyond what a
+test allows for values near black), and its statistical error. A comparison counts for every node in it, so the figures of a node may be those of
 its neighbours. *Settings*: how many items of each were tried.
 
 | node | settings tried | values | worst | pictures | worst | remark |
