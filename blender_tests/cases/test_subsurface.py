@@ -46,6 +46,15 @@ class SubsurfaceCase(RenderTestCase):
             scene_factory.camera(self.scene, (0, -3, 5), (0, 0, 0.2), lens=85.0)
             self.compare(name, **arguments)
 
+    def room(self, name, material):
+        """Behind a diffuse bounce subsurface is plain diffuse."""
+        scene_factory.box(self.scene, 4.0, scene_factory.diffuse((0.6, 0.6, 0.6)), inward=True)
+        scene_factory.sphere(self.scene, 0.8, material)
+        scene_factory.lamp(self.scene, "POINT", energy=60.0, location=(1, -1, 1.5),
+                           shadow_soft_size=0.3)
+        scene_factory.camera(self.scene, (0, -1.9, 0.6), (0, 0, 0), lens=25.0)
+        self.compare(f"{name} in a room")
+
     def light(self, world, rotation=(0, 50, 20)):
         scene_factory.set_world(self.scene, world)
         scene_factory.lamp(self.scene, "SUN", energy=2.0, angle=math.radians(5), rotation=rotation)
@@ -105,13 +114,7 @@ class NodeTest(SubsurfaceCase):
         self.ball("dark", lambda: node(Color=(0.2, 0.05, 0.0)))
 
     def test_inside_of_a_diffuse_room(self):
-        """Behind a diffuse bounce subsurface is plain diffuse."""
-        scene_factory.box(self.scene, 4.0, scene_factory.diffuse((0.6, 0.6, 0.6)), inward=True)
-        scene_factory.sphere(self.scene, 0.8, node())
-        scene_factory.lamp(self.scene, "POINT", energy=60.0, location=(1, -1, 1.5),
-                           shadow_soft_size=0.3)
-        scene_factory.camera(self.scene, (0, -1.9, 0.6), (0, 0, 0), lens=25.0)
-        self.compare("room")
+        self.room("node", node())
 
     def test_mixed_with_glossy(self):
         def mixed():
@@ -189,6 +192,9 @@ class PrincipledTest(SubsurfaceCase):
         """Retro-reflection stays at the entry; Fresnel dims the exit."""
         for roughness in (0.0, 1.0):
             self.ball(f"roughness {roughness}", lambda: principled(Roughness=roughness))
+
+    def test_inside_of_a_diffuse_room(self):
+        self.room("principled", principled(Base_Color=(0.1, 0.3, 0.8), Sheen=1.0, Sheen_Tint=1.0))
 
     def test_other_inputs(self):
         self.ball("inputs", lambda: principled(Subsurface_Anisotropy=0.6, Subsurface_IOR=1.8,

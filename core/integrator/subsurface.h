@@ -9,6 +9,9 @@
 
 namespace tenniel {
 
+// Metres. What has gone so far below a surface does not come back, and leaves the range of rays.
+constexpr float k_farthest_below = 1e9f;
+
 // Where light goes below the surface of an object. One object alone counts, whatever sees it.
 struct SubsurfaceEntry {
   const SurfaceInteraction& at;

@@ -54,7 +54,7 @@ std::optional<SubsurfaceExit> probe_nearby(const ObjectBelow& object, const Subs
   const float phi = k_two_pi * u.y;
   const float height = safe_sqrt(sqr(on_disk.farthest) - sqr(on_disk.r));
   const float pdf = profile.pdf(on_disk.r);
-  if (!(pdf > 0.0f) || !(height > 0.0f)) return {};
+  if (!(pdf > 0.0f) || !(height > 0.0f) || !(height < k_farthest_below)) return {};
 
   SubsurfaceExit exit;
   Ray probe;

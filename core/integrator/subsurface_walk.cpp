@@ -88,7 +88,7 @@ class Walk {
 
   bool start();
   void take_numbers(int flight);
-  std::optional<Hit> first_flight(float& t);
+  std::optional<Hit> first_flight(float t);
   Guidance turn();
   Spectrum density(const Guidance& guidance, float t, bool is_ended) const;
   float share_to_far_side() const;
@@ -136,7 +136,7 @@ void Walk::take_numbers(int flight) {
 }
 
 // Looks farther than it flies, for the far side.
-std::optional<Hit> Walk::first_flight(float& t) {
+std::optional<Hit> Walk::first_flight(float t) {
   const Spectrum& sigma = medium_.sigma_t;
   const float thinnest = std::min({sigma.r, sigma.g, sigma.b});
   ray_.t_max = std::max(t, k_far_side_reach / thinnest);
@@ -213,7 +213,7 @@ std::optional<SubsurfaceExit> Walk::run() {
       hit = object_.intersect(ray_);
     }
     if (hit) t = hit->t;
-    if (!std::isfinite(t)) return {};
+    if (!(t < k_farthest_below)) return {};
 
     const Spectrum pdf = is_first ? flight_density(medium_.sigma_t, t, hit.has_value())
                                   : density(guidance, t, hit.has_value());
