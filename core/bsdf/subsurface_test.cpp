@@ -121,7 +121,8 @@ TEST(Subsurface, IsChosenAmongOtherLobesAndHasNoDensity) {
 TEST(Subsurface, BrokenParametersAreLeftOut) {
   const Vec3 n{0.0f, 0.0f, 1.0f};
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const Spectrum radius : {Spectrum(0.0f), Spectrum(-1.0f), Spectrum(nan), Spectrum(k_infinity)}) {
+  for (const Spectrum radius :
+       {Spectrum(0.0f), Spectrum(-1.0f), Spectrum(nan), Spectrum(k_infinity)}) {
     Bsdf bsdf;
     bsdf.begin(n, n, n);
     bsdf.add(lobe_with(radius), Spectrum(1.0f), n);

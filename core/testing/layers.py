@@ -49,7 +49,7 @@ def violations(path):
     allowed = LAYERS[module] | {module}
     if module == "testing":
         allowed |= set(LAYERS)
-    if relative.endswith("_test.cpp"):
+    if relative.endswith(("_test.cpp", "_bench.cpp")):
         allowed |= TESTS_MAY
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         match = INCLUDE.match(line)
