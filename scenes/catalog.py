@@ -7,6 +7,7 @@ SCENES = {
     "looking_glass_awake": "the same table, and a mirror like any other: what is really there",
     "bench_room": "closed diffuse room, nine monkeys, 567 k triangles, one area lamp; for timing",
     "material_grid": "one sphere for each closure and texture, lit by an HDRI",
+    "materials": "ten materials of many nodes: wood, brick, marble, rust, car paint, fabric, leather, ...",
     "veach_mis": "four glossy plates under four lights: light and BSDF sampling must share",
     "cornell": "the Cornell box: colour bleeding and soft shadows from an emissive mesh",
 }
