@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 
 import gallery  # noqa: E402  (beside this file's folder, which Blender does not put on the path)
 import parts  # noqa: E402
-from gallery import media, metals, mirrors, textures  # noqa: E402,F401  (they fill EXHIBITS)
+from gallery import media, metals, mirrors, subsurface, textures  # noqa: E402,F401  (fill EXHIBITS)
 
 # Blender's own defaults: pictures to look at, not to measure.
 _PICTURE_SETTINGS = {"sample_clamp_indirect": 10.0, "blur_glossy": 1.0, "volume_bounces": 64,
