@@ -81,16 +81,61 @@ def marble():
                   "behind: the more forward it scatters, the more of the lamp comes through.",
          samples=256)
 def smoke():
-    parts.set_world_color((0.5, 0.6, 0.75), 0.04)
-    stage.sweep("Backdrop", parts.diffuse("Backdrop", (0.03, 0.03, 0.035)))
-    parts.area_light("Behind", (0.4, 3.4, 3.4), (0.0, 0.0, 0.7), (2.0, 2.0), power=900.0,
-                     color=(1.0, 0.85, 0.65))
+    lit_from_behind()
     for g, x in zip((0.0, 0.5, 0.92), stage.row(3, 1.3)):
         material, nodes = parts.new_material(f"Smoke {g}")
         nodes.add("OutputMaterial", {"Volume": nodes.add("VolumeScatter", {
-            "Color": (0.93, 0.93, 0.95), "Density": 7.0, "Anisotropy": g})})
+            "Color": (0.93, 0.93, 0.95), "Density": 4.0, "Anisotropy": g})})
         puff(material, x)
     stage.view(3.9, 0.72, 0.06)
+
+
+def lit_from_behind():
+    """A dark stage and a warm lamp behind, which the camera does not see itself."""
+    parts.set_world_color((0.45, 0.60, 0.85), 0.12)
+    stage.sweep("Backdrop", parts.diffuse("Backdrop", (0.05, 0.05, 0.06)))
+    parts.area_light("Behind", (0.0, 3.0, 2.0), (0.0, -0.5, 0.6), (3.0, 1.2), power=320.0,
+                     color=(1.0, 0.75, 0.48))
+
+
+@exhibit("Smoke in space", "Smoke whose density varies by noise and thins out from a bent axis, "
+                           "lit from behind; isotropic, g = 0.5 and g = 0.92.", samples=192)
+def smoke_varying():
+    lit_from_behind()
+    for g, x in zip((0.0, 0.5, 0.92), stage.row(3, 1.3)):
+        shapes.box("Smoke", (1.2, 0.9, 1.5), rising_smoke(g), location=(x, 0.0, 0.76))
+    stage.view(3.9, 0.72, 0.06)
+
+
+def rising_smoke(g):
+    """Density falls with the distance from an axis that noise bends; finer noise frays it."""
+    material, nodes = parts.new_material(f"Rising Smoke {g}")
+
+    def math(operation, *operands):
+        return nodes.add("Math", dict(enumerate(operands)), operation=operation)
+
+    place = nodes.add("TexCoord").outputs["Object"]
+    bend = nodes.add("TexNoise", {"Vector": place, "Scale": 1.6, "Detail": 1.0})
+    offset = nodes.add("VectorMath", {0: bend.outputs["Color"], 1: (0.5, 0.5, 0.5)},
+                       operation='SUBTRACT')
+    bent = nodes.add("SeparateXYZ", {0: nodes.add(
+        "VectorMath", {0: offset, 1: (1.1, 1.1, 0.0), 2: place}, operation='MULTIPLY_ADD')})
+    distance2 = math('ADD', math('MULTIPLY', bent.outputs["X"], bent.outputs["X"]),
+                     math('MULTIPLY', bent.outputs["Y"], bent.outputs["Y"]))
+    # From a thin foot to a wide head, which thins out; height is -0.75 to 0.75.
+    height = bent.outputs["Z"]
+    width = math('MULTIPLY_ADD', height, 0.18, 0.25)
+    falloff = math('DIVIDE', distance2, math('MULTIPLY', width, width))
+    fading = nodes.add("MapRange", {"Value": height, "From Min": 0.1, "From Max": 0.7,
+                                    "To Min": 0.0, "To Max": 1.2})
+    fray = nodes.add("TexNoise", {"Vector": place, "Scale": 4.5, "Detail": 6.0,
+                                  "Distortion": 1.0})
+    density = math('SUBTRACT', math('MULTIPLY_ADD', fray.outputs["Fac"], 5.0, -1.6),
+                   math('ADD', falloff, fading))
+    thick = math('MULTIPLY', math('MAXIMUM', density, 0.0), 8.0)
+    nodes.add("OutputMaterial", {"Volume": nodes.add("VolumeScatter", {
+        "Color": (0.93, 0.93, 0.95), "Density": thick, "Anisotropy": g})})
+    return material
 
 
 def puff(material, x):
