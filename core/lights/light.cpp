@@ -81,6 +81,14 @@ float lamp_pdf(const Light& light, const ShadingPoint& point, Vec3 wi) {
                     light.shape);
 }
 
+std::optional<Vec3> center_of(const Light& light) {
+  if (const auto* point = light.as<PointLight>()) return point->position;
+  if (const auto* spot = light.as<SpotLight>()) return spot->point.position;
+  if (const auto* area = light.as<AreaLight>()) return area->center;
+  if (const auto* mesh = light.as<MeshLight>()) return mesh->center();
+  return std::nullopt;
+}
+
 float light_importance(const Light& light, const ShadingPoint& point) {
   const auto point_lamp = [&](const PointLight& l, float factor) {
     const float area = l.radius > 0.0f ? l.area() : 1.0f;

@@ -43,6 +43,9 @@ std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray);
 // Density with which `sample_lamp` draws `wi`, a direction that meets the lamp.
 float lamp_pdf(const Light& light, const ShadingPoint& point, Vec3 wi);
 
+// The middle of a light that is somewhere.
+std::optional<Vec3> center_of(const Light& light);
+
 // An estimate of the irradiance that `light` may cause at `point`, never 0 where it may cause any:
 // the weight of choosing it.
 float light_importance(const Light& light, const ShadingPoint& point);

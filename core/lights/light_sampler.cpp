@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tenniel {
 
@@ -13,7 +14,11 @@ LightSampler::LightSampler(const std::vector<Light>& all, WorldIndex world)
     member_of_light_[i] = static_cast<int32_t>(members_.size());
     members_.push_back(i);
   }
-  if (members_.size() <= k_max_weighed) return;
+  if (members_.size() <= k_max_weighed) {
+    for (const uint32_t light : members_)
+      if (const auto center = center_of(all[light])) centers_.push_back(*center);
+    return;
+  }
   // A point one metre from each light: what is left of the importance is the power.
   std::vector<float> weights;
   weights.reserve(members_.size());
@@ -27,6 +32,13 @@ LightSampler::LightSampler(const std::vector<Light>& all, WorldIndex world)
     weights.push_back(light_importance(all[light], near));
   }
   by_power_ = AliasTable(weights);
+}
+
+float LightSampler::distance_to_nearest(Vec3 point) const {
+  float nearest_squared = k_infinity;
+  for (const Vec3 center : centers_)
+    nearest_squared = std::min(nearest_squared, length_squared(center - point));
+  return std::sqrt(nearest_squared);
 }
 
 std::optional<LightChoice> LightSampler::choose(const ShadingPoint& point, float u) const {

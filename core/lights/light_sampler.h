@@ -28,12 +28,16 @@ class LightSampler {
   // Probability that `choose` returns `light` at `point`.
   float probability(const ShadingPoint& point, uint32_t light) const;
   bool empty() const { return members_.empty(); }
+  // Metres to the middle of the nearest light; infinite where none is near or there are too many to
+  // look at each.
+  float distance_to_nearest(Vec3 point) const;
 
  private:
   const std::vector<Light>* all_ = nullptr;
   std::vector<uint32_t> members_;
   std::vector<int32_t> member_of_light_;  // index in members_, -1 = not in this world
   AliasTable by_power_;                   // only when there are many
+  std::vector<Vec3> centers_;             // of those at a finite distance, only when there are few
 };
 
 }  // namespace tenniel
