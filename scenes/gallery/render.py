@@ -2,7 +2,7 @@
 """Renders the gallery and writes its page; what `./tenniel gallery` runs.
 
 blender -b --factory-startup --addons tenniel --python-exit-code 1 --python scenes/gallery/render.py
-    -- --output FOLDER [--width PIXELS] [--no-cycles] [NAME...]
+    -- --output FOLDER [--width PIXELS] [--samples FACTOR] [--no-cycles] [NAME...]
 """
 
 import argparse
@@ -39,6 +39,7 @@ def arguments():
     parser = argparse.ArgumentParser(prog="tenniel gallery")
     parser.add_argument("--output", type=pathlib.Path, required=True)
     parser.add_argument("--width", type=int, default=320)
+    parser.add_argument("--samples", type=float, default=1.0, metavar="FACTOR")
     parser.add_argument("--no-cycles", action="store_true")
     parser.add_argument("names", nargs="*", metavar="NAME")
     found = parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
@@ -50,11 +51,11 @@ def arguments():
     return found
 
 
-def build(item, width):
+def build(item, width, samples):
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     item.build()
-    parts.render_settings(scene, width, width * 5 // 8, samples=item.samples,
+    parts.render_settings(scene, width, width * 5 // 8, samples=samples,
                           **_PICTURE_SETTINGS)
     scene.view_settings.view_transform = 'Filmic'
     settings = scene.render.image_settings
@@ -72,13 +73,13 @@ def picture(scene, engine, path):
     return time.perf_counter() - start
 
 
-def section(item, seconds):
+def section(item, samples, seconds):
     """The part of the page on one exhibit; `seconds`: engine -> seconds."""
     figures = []
     for engine, value in seconds.items():
         suffix = "" if engine == 'TENNIEL' else "_cycles"
         figures.append(f'<figure><img src="{item.name}{suffix}.jpg" alt="{engine.title()}">'
-                       f'<figcaption>{engine.title()}, {item.samples} samples, {value:.1f} s'
+                       f'<figcaption>{engine.title()}, {samples} samples, {value:.1f} s'
                        f'</figcaption></figure>')
     return (f'<section><h2>{html.escape(item.title)}</h2>{"".join(figures)}'
             f'<p>{html.escape(item.text)}</p></section>\n')
@@ -92,11 +93,12 @@ def main():
               if not options.names or item.name in options.names]
     sections = []
     for item in chosen:
-        scene = build(item, options.width)
+        samples = max(1, round(item.samples * options.samples))
+        scene = build(item, options.width, samples)
         seconds = {'TENNIEL': picture(scene, 'TENNIEL', output / f"{item.name}.jpg")}
         if item.in_cycles and not options.no_cycles:
             seconds['CYCLES'] = picture(scene, 'CYCLES', output / f"{item.name}_cycles.jpg")
-        sections.append(section(item, seconds))
+        sections.append(section(item, samples, seconds))
         print(f"{item.name}: " + ", ".join(f"{engine.title()} {value:.1f} s"
                                            for engine, value in seconds.items()), flush=True)
     page = output / "index.html"
