@@ -31,7 +31,8 @@ def view(width, height, elevation=0.16):
 
 
 def sweep(name, material, width=24.0, radius=2.5, start=-8.0, end=4.5, height=8.0):
-    """A floor that rises in a quarter circle to a wall."""
+    """A floor that rises in a quarter circle to a wall. It lies a little below 0: what stands on it
+    has a face there, and of two in one plane each engine meets another."""
     builder = bmesh.new()
     layer = builder.loops.layers.uv.new("UVMap")
     arc = [(end - radius + radius * math.sin(a), radius - radius * math.cos(a))
@@ -47,7 +48,7 @@ def sweep(name, material, width=24.0, radius=2.5, start=-8.0, end=4.5, height=8.
     builder.to_mesh(mesh)
     builder.free()
     mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
-    return shapes.add_object(name, mesh, material)
+    return shapes.add_object(name, mesh, material, location=(0.0, 0.0, -0.002))
 
 
 # The pawn: a ball with a groove on a stem with a collar.
