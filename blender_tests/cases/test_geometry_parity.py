@@ -61,6 +61,20 @@ class GeometryParityTest(ParityCase):
                 self.setUp()
                 self.check_field(self.field_of("ShaderNodeTexCoord", [output]))
 
+    def test_tangent(self):
+        for settings in ({"axis": "X"}, {"axis": "Y"}, {"axis": "Z"}, {"direction_type": "UV_MAP"}):
+            with self.subTest(settings):
+                self.setUp()
+                # A flat face has no direction about an axis that lies in it.
+                shapes = (sphere_patch,) if settings.get("axis") in ("X", "Y") else (
+                    None, sphere_patch)
+                self.check_field(self.field_of("ShaderNodeTangent", ("Tangent",), settings,
+                                               shapes), tolerance=2e-4)
+
+    def test_camera_data(self):
+        self.check_field(self.field_of("ShaderNodeCameraData", (
+            "View Vector", "View Z Depth", "View Distance")))
+
     def test_object_of_texture_coordinate(self):
         other = scene_factory.link(self.scene, None, "Empty", (0.3, 2.0, -1.0), (10, 20, 30),
                                    (2.0, 0.5, 1.0))

@@ -6,6 +6,7 @@ import bpy
 
 from support import scene_factory
 from support.node_variants import COLORS, NODE_TABLE, VECTORS, fresnel_variants
+from support.pattern_variants import PATTERN_TABLE
 from support.parity import TILTED, ParityCase
 from support.render import REFERENCE_ENGINE
 from support.tile_grid import TileGrid, emission_of
@@ -13,7 +14,8 @@ from support.tile_grid import TileGrid, emission_of
 
 
 class NodeParityTest(ParityCase):
-    """Nodes that need nothing but their inputs; the methods come from NODE_TABLE."""
+    """Nodes that need nothing but their inputs; the methods come from NODE_TABLE
+    and PATTERN_TABLE."""
 
 
 def _table_test(make_variants):
@@ -25,7 +27,7 @@ def _table_test(make_variants):
     return test
 
 
-for _name, _make in NODE_TABLE.items():
+for _name, _make in (NODE_TABLE | PATTERN_TABLE).items():
     setattr(NodeParityTest, f"test_{_name}", _table_test(_make))
 
 

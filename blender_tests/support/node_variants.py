@@ -25,6 +25,7 @@ class Variant:
     output: Optional[str] = None
     prepare: Optional[Callable] = None
     note: str = ""
+    linked_only: bool = False    # a socket of it shows no value: nobody can set one
 
     @property
     def label(self):
@@ -38,7 +39,8 @@ class Variant:
         A texture ignores the value of its Vector socket and takes coordinates that vary over the
         tile, so it gets linked tiles only.
         """
-        needs_link = self.node_type.startswith("ShaderNodeTex") and any(self.input_sets)
+        needs_link = self.linked_only or (
+            self.node_type.startswith("ShaderNodeTex") and any(self.input_sets))
         for inputs in () if needs_link else self.input_sets:
             material = self._material(inputs, linked=False)
             grid.add(f"{self.label} {inputs or ''}", material, uv=uv, normal=normal)

@@ -4,7 +4,7 @@ from . import scene_factory
 from .case import RenderTestCase
 from .tile_grid import TOLERANCE
 
-SHOWN_FAILURES = 12
+SHOWN_FAILURES = 60
 
 # Normals of tilted faces, all in the upper half.
 TILTED = ((0.0, 0.0, 1.0), (0.6, 0.0, 0.8), (-0.36, 0.48, 0.8), (0.1, -0.7, 0.7071068))

@@ -161,6 +161,8 @@ class _Flattener:
             if name in known.inputs and _is_in_use(socket):
                 self._connect(scope, socket, index, name)
         # The value of some nodes is that of their output socket.
+        if node.type == 'NORMAL':
+            self._graph.set_input(index, 'Direction', _socket_value(node.outputs[0]))
         for socket in node.outputs:
             if socket.identifier in known.inputs and socket.identifier not in names:
                 self._graph.set_input(index, socket.identifier, _socket_value(socket))

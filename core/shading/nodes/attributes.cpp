@@ -70,12 +70,12 @@ struct AttributeNode {
     return instance_attribute(context, attribute.id).value_or(Rgba{});
   }
 
-  // The mean, but of two numbers (a UV) the first.
+  // The mean, but of one number itself to the last bit, and of two (a UV) the first.
   float factor_of(const ShadingContext& context, const Rgba& v) const {
     const Mesh* mesh = context.surface.mesh;
     const Attribute* data =
         mesh && type == AttributeType::geometry ? mesh->attribute(attribute.id) : nullptr;
-    return data && data->channels == 2 ? v[0] : (v[0] + v[1] + v[2]) * (1.0f / 3.0f);
+    return data && data->channels <= 2 ? v[0] : (v[0] + v[1] + v[2]) * (1.0f / 3.0f);
   }
 
   void eval(ShadingContext& context) const {

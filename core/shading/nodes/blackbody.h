@@ -5,8 +5,8 @@
 
 namespace tenniel {
 
-// Linear Rec.709 colour of a black body of `kelvin`, of luminance 1 before what lies
-// out of gamut is cut off. `kelvin` is clamped to [800, 12000].
+// Linear Rec.709 colour of a black body of `kelvin`, of luminance about 1 before what lies out of
+// gamut is cut off. The same below 800 and above 12000.
 Spectrum blackbody_color(float kelvin);
 
 // Linear Rec.709 colour of light of one wavelength in nanometres, by the CIE 1931 observer.
