@@ -78,6 +78,14 @@ class MeshDesc:
     attributes: list[AttributeDesc]
     texture_space_location: Sequence[float]
     texture_space_size: Sequence[float]
+    # FACES, or hairs (RIBBONS, TUBES) or points (SPHERES): `positions` are their keys, attributes
+    # lie on POINT (key) or FACE (hair, point), and what faces need is not set.
+    shape: str
+    radii: FloatBuffer | None  # (positions)
+    strand_sizes: IntBuffer | None  # (hairs) keys of each
+    to_object: Sequence[float]  # from where the keys' positions are to object space
+    ribbon_pieces: int  # flat ones between two keys
+    first_strand: int  # number of the first, for the random numbers
 
 class InstanceDesc:
     name: str

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,13 @@ void bind_mesh(py::module_& module) {
       .optional("edge_vertices", &MeshDesc::edge_vertices)
       .field("attributes", &MeshDesc::attributes)
       .field("texture_space_location", &MeshDesc::texture_space_location)
-      .field("texture_space_size", &MeshDesc::texture_space_size);
+      .field("texture_space_size", &MeshDesc::texture_space_size)
+      .choice("shape", {"FACES", "RIBBONS", "TUBES", "SPHERES"}, &MeshDesc::shape)
+      .optional("radii", &MeshDesc::radii)
+      .optional("strand_sizes", &MeshDesc::strand_sizes)
+      .field("to_object", &MeshDesc::to_object)
+      .ranged("ribbon_pieces", 1, 16, &MeshDesc::ribbon_pieces)
+      .ranged("first_strand", 0, std::numeric_limits<int>::max(), &MeshDesc::first_strand);
 }
 
 void bind_instance(py::module_& module) {

@@ -23,9 +23,36 @@ void check_size(const Buffer<T>& buffer, size_t expected, FieldName field) {
                                  std::to_string(buffer->size()));
 }
 
+void check_attributes(const MeshDesc& mesh, size_t points, size_t edges, size_t corners,
+                      size_t faces) {
+  for (const AttributeDesc& attribute : mesh.attributes) {
+    const std::string name = "data ('" + attribute.name + "')";
+    const FieldName data{"AttributeDesc", name};
+    size_of_required(attribute.data, data);
+    const size_t elements = attribute.domain == "POINT"    ? points
+                            : attribute.domain == "EDGE"   ? edges
+                            : attribute.domain == "CORNER" ? corners
+                                                           : faces;
+    if (attribute.domain.empty()) throw_value_error({"AttributeDesc", "domain"}, "is missing");
+    check_size(attribute.data, elements * static_cast<size_t>(attribute.channels), data);
+  }
+}
+
+void check_strands(const MeshDesc& mesh) {
+  const auto field = [](const char* name) { return FieldName{"MeshDesc", name}; };
+  const size_t keys = size_of_required(mesh.positions, field("positions"), 3) / 3;
+  size_of_required(mesh.radii, field("radii"));
+  check_size(mesh.radii, keys, field("radii"));
+  const bool has_hairs = mesh.shape != "SPHERES";
+  const size_t strands =
+      has_hairs ? size_of_required(mesh.strand_sizes, field("strand_sizes")) : keys;
+  check_attributes(mesh, keys, 0, 0, strands);
+}
+
 }  // namespace
 
 void check_sizes(const MeshDesc& mesh) {
+  if (mesh.shape != "FACES") return check_strands(mesh);
   const auto field = [](const char* name) { return FieldName{"MeshDesc", name}; };
   const size_t vertices = size_of_required(mesh.positions, field("positions"), 3) / 3;
   const size_t corners = size_of_required(mesh.corner_vertices, field("corner_vertices"));
@@ -39,17 +66,7 @@ void check_sizes(const MeshDesc& mesh) {
   check_size(mesh.corner_normals, corners * 3, field("corner_normals"));
   const size_t edges =
       mesh.edge_vertices ? size_of_required(mesh.edge_vertices, field("edge_vertices"), 2) / 2 : 0;
-  for (const AttributeDesc& attribute : mesh.attributes) {
-    const std::string name = "data ('" + attribute.name + "')";
-    const FieldName data{"AttributeDesc", name};
-    size_of_required(attribute.data, data);
-    const size_t elements = attribute.domain == "POINT"    ? vertices
-                            : attribute.domain == "EDGE"   ? edges
-                            : attribute.domain == "CORNER" ? corners
-                                                           : polygons;
-    if (attribute.domain.empty()) throw_value_error({"AttributeDesc", "domain"}, "is missing");
-    check_size(attribute.data, elements * static_cast<size_t>(attribute.channels), data);
-  }
+  check_attributes(mesh, vertices, edges, corners, polygons);
 }
 
 void check_sizes(const ImageDesc& image) {

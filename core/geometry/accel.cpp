@@ -110,6 +110,20 @@ void collect(const RTCFilterFunctionNArguments* args) {
   context.hits[context.count++] = {ray->tfar, hit->u, hit->v, hit->primID, instance};
 }
 
+// A tube is seen from outside alone: what has gone in comes out unhindered, as in Cycles.
+void skip_inside(const RTCFilterFunctionNArguments* args) {
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  if (ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z > 0.0f)
+    args->valid[0] = 0;
+}
+
+RTCGeometryType geometry_type(Shape shape) {
+  return shape == Shape::ribbons ? RTC_GEOMETRY_TYPE_FLAT_CATMULL_ROM_CURVE
+         : shape == Shape::tubes ? RTC_GEOMETRY_TYPE_ROUND_CATMULL_ROM_CURVE
+                                 : RTC_GEOMETRY_TYPE_SPHERE_POINT;
+}
+
 }  // namespace
 
 // Every instance is attached under its own index: as a geometry of the top level (world-space mesh)
@@ -131,6 +145,7 @@ struct Accel::State {
   void open_device();
   RtcScene new_scene() const;
   Geometry new_mesh_geometry(const Mesh& mesh) const;
+  Geometry new_strand_geometry(const Mesh& mesh) const;
   RTCScene mesh_scene(const Mesh& mesh, uint32_t index);
   void attach(const Instance& instance, uint32_t index, const Mesh& mesh);
   RTCScene alone(RTCGeometry geometry);
@@ -182,6 +197,7 @@ RtcScene Accel::State::new_scene() const {
 }
 
 Geometry Accel::State::new_mesh_geometry(const Mesh& mesh) const {
+  if (mesh.shape != Shape::faces) return new_strand_geometry(mesh);
   const bool quads = mesh.corners_per_face == 4;
   Geometry geometry(
       rtcNewGeometry(device.get(), quads ? RTC_GEOMETRY_TYPE_QUAD : RTC_GEOMETRY_TYPE_TRIANGLE));
@@ -201,6 +217,28 @@ Geometry Accel::State::new_mesh_geometry(const Mesh& mesh) const {
   rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0,
                              quads ? RTC_FORMAT_UINT4 : RTC_FORMAT_UINT3, mesh.face_vertices.data(),
                              0, sizeof(uint32_t) * (quads ? 4 : 3), mesh.face_count());
+  rtcSetGeometryMask(g, ~0u);
+  return geometry;
+}
+
+Geometry Accel::State::new_strand_geometry(const Mesh& mesh) const {
+  static_assert(sizeof(StrandKey) == 4 * sizeof(float));
+  const Strands& strands = mesh.strands;
+  Geometry geometry(rtcNewGeometry(device.get(), geometry_type(mesh.shape)));
+  check();
+  RTCGeometry g = geometry.get();
+  rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, strands.keys.data(),
+                             0, sizeof(StrandKey), strands.keys.size());
+  if (mesh.shape != Shape::spheres)
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
+                               strands.segments.data(), 0, sizeof(uint32_t),
+                               strands.segments.size());
+  if (mesh.shape == Shape::ribbons)
+    rtcSetGeometryTessellationRate(g, static_cast<float>(strands.ribbon_pieces));
+  if (mesh.shape == Shape::tubes) {
+    rtcSetGeometryIntersectFilterFunction(g, skip_inside);
+    rtcSetGeometryOccludedFilterFunction(g, skip_inside);
+  }
   rtcSetGeometryMask(g, ~0u);
   return geometry;
 }
@@ -226,7 +264,7 @@ RTCScene Accel::State::alone(RTCGeometry geometry) {
 }
 
 void Accel::State::attach(const Instance& instance, uint32_t index, const Mesh& mesh) {
-  if (mesh.face_count() == 0 || !is_usable(instance)) return;
+  if (mesh.is_empty() || !is_usable(instance)) return;
   Geometry geometry;
   if (mesh.is_world_space) {
     geometry = new_mesh_geometry(mesh);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr float k_unit_roundoff_steps = 256.0f * 0x1p-23f;  // of Waechter & Binder's integer scale
 
+constexpr float k_tube_error = 2e-4f;  // in thicknesses
+
 // Which half of a quad (u, v) lies in. A triangle among quads has no second half.
 bool in_second_half(const Mesh& mesh, const uint32_t* face_vertices, const Hit& hit) {
   return mesh.corners_per_face == 4 && hit.u + hit.v > 1.0f && face_vertices[2] != face_vertices[3];
@@ -73,6 +75,10 @@ SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instan
   at.instance = &instance;
   at.mesh = &mesh;
   at.face = hit.face;
+  if (mesh.shape != Shape::faces) {
+    place_on_strand(ray, hit, at);
+    return at;
+  }
   const uint32_t* ids = &mesh.face_vertices[hit.face * mesh.stride()];
   const bool second = in_second_half(mesh, ids, hit);
   at.is_second_half = second;
@@ -213,6 +219,9 @@ Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
 
 Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction) {
   Vec3 origin = offset_ray_origin(at.position, at.geometric_normal, direction);
+  // Embree finds a tube by steps, which end a little beside it.
+  if (at.mesh->shape == Shape::tubes)
+    origin += face_forward(at.geometric_normal, direction) * (strand_thickness(at) * k_tube_error);
   if (at.mesh->is_world_space) return origin;
   const Vec3 t = at.object_to_world().translation;
   const float size = std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});

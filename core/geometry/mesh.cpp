@@ -199,6 +199,7 @@ void move_to_world_space(Mesh& mesh, const Transform& object_to_world) {
   for (auto* normals : {&mesh.vertex_normals, &mesh.corner_normals})
     for (Vec3& n : *normals)
       n = normalize_or(inverse.transposed_vector(n), {});
+  move_strands_to_world_space(mesh.strands, object_to_world);
   mesh.is_world_space = true;
   mesh.flips_winding = object_to_world.determinant() < 0.0f;
 }

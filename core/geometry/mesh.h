@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/attributes.h"
+#include "geometry/strands.h"
 #include "math/bounds.h"
 #include "math/transform.h"
 #include "math/vec.h"
@@ -36,10 +37,12 @@ struct PolygonSoup {
 // triangles at the same speed. In a quad mesh a triangle repeats its last corner.
 // A quad (0,1,2,3) is split along 1-3 into (0,1,3) and (2,3,1), as Embree does; `build_mesh` turns
 // the corners so that this is Blender's diagonal too.
+// Hairs and points take the place of a mesh: `shape` tells, and they have `strands` but no faces.
 struct Mesh {
   std::string name;
-  std::vector<Vec3> positions;           // object space; world space if `is_world_space`
-  int corners_per_face = 3;              // 3 or 4
+  std::vector<Vec3> positions;  // object space; world space if `is_world_space`
+  int corners_per_face = 3;     // 3 or 4
+  Shape shape = Shape::faces;
   std::vector<uint32_t> face_vertices;   // (face_count, corners_per_face): Embree's index buffer
   std::vector<uint32_t> face_corners;    // same shape: Blender's corner (loop) of each
   std::vector<uint32_t> face_polygons;   // (face_count) Blender's polygon; empty: the same index
@@ -54,9 +57,13 @@ struct Mesh {
   bool is_world_space = false;             // flattened into the top level
   bool flips_winding = false;              // world space by a mirroring transform
   uint32_t dropped_faces = 0;              // non-finite or with an index out of range
+  Strands strands;                         // same space as positions
 
   size_t stride() const { return static_cast<size_t>(corners_per_face); }
   size_t face_count() const { return face_vertices.size() / stride(); }
+  bool is_empty() const {
+    return shape == Shape::faces ? face_vertices.empty() : strands.keys.empty();
+  }
   int material_slot(uint32_t face) const {
     return face_materials.empty() ? 0 : face_materials[face];
   }

@@ -20,7 +20,25 @@ const T* data_or_null(const Buffer<T>& buffer, size_t size) {
   return buffer && buffer->size() >= size ? buffer->data() : nullptr;
 }
 
+StrandSoup strand_soup(const MeshDesc& desc) {
+  StrandSoup soup;
+  soup.name = desc.name;
+  soup.shape = desc.shape == "SPHERES" ? Shape::spheres
+               : desc.shape == "TUBES" ? Shape::tubes
+                                       : Shape::ribbons;
+  const size_t keys = desc.positions ? desc.positions->size() / 3 : 0;
+  soup.positions = data_or_null(desc.positions, 0);
+  soup.radii = data_or_null(desc.radii, keys);
+  soup.key_count = soup.radii != nullptr ? keys : 0;
+  soup.sizes = data_or_null(desc.strand_sizes, 0);
+  soup.strand_count = desc.strand_sizes ? desc.strand_sizes->size() : 0;
+  soup.to_object = Transform::from_rows(desc.to_object);
+  soup.ribbon_pieces = desc.ribbon_pieces;
+  return soup;
+}
+
 Mesh mesh_from(const MeshDesc& desc) {
+  if (desc.shape != "FACES") return build_strands(strand_soup(desc));
   PolygonSoup soup;
   soup.name = desc.name;
   const auto size_of = [](const auto& buffer) { return buffer ? buffer->size() : size_t{0}; };
@@ -47,6 +65,8 @@ size_t element_count(const MeshDesc& desc, AttributeDomain domain) {
     case AttributeDomain::corner:
       return desc.corner_vertices ? desc.corner_vertices->size() : 0;
     case AttributeDomain::face:
+      if (desc.shape == "SPHERES") return element_count(desc, AttributeDomain::vertex);
+      if (desc.shape != "FACES") return desc.strand_sizes ? desc.strand_sizes->size() : 0;
       return desc.polygon_starts ? desc.polygon_starts->size() : 0;
   }
   return 0;
@@ -75,6 +95,24 @@ void add_islands(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids) {
   mesh.attributes.push_back({k_random_per_island, AttributeDomain::face, 1, std::move(values)});
 }
 
+// What Hair Info and Point Info tell apart.
+void add_strand_values(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids) {
+  const auto add = [&](const char* name, AttributeDomain domain, std::vector<float> values) {
+    if (ids.find(name) != AttributeIds::k_none)
+      mesh.attributes.push_back({name, domain, 1, std::move(values)});
+  };
+  if (mesh.shape == Shape::faces) return;
+  std::vector<float> numbers(element_count(desc, AttributeDomain::face));
+  for (size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] =
+        uint_to_unit_closed(hash_uint(static_cast<uint32_t>(desc.first_strand + int(i)), 0));
+  add(k_strand_random, AttributeDomain::face, std::move(numbers));
+  if (mesh.shape == Shape::spheres) return;
+  StrandLengths lengths = measure_strands(strand_soup(desc));
+  add(k_strand_intercept, AttributeDomain::vertex, std::move(lengths.intercepts));
+  add(k_strand_length, AttributeDomain::face, std::move(lengths.lengths));
+}
+
 // The exporter's vertex normals become what is asked for.
 void make_pointiness(Mesh& mesh, const MeshDesc& desc) {
   for (Attribute& a : mesh.attributes) {
@@ -94,6 +132,7 @@ void make_pointiness(Mesh& mesh, const MeshDesc& desc) {
 void add_attributes(Mesh& mesh, MeshDesc& desc, const AttributeIds& ids, Diagnostics& diagnostics) {
   for (AttributeDesc& a : desc.attributes) {
     if (!a.data || ids.find(a.name) == AttributeIds::k_none) continue;
+    if (desc.shape != "FACES" && a.domain != "POINT" && a.domain != "FACE") continue;
     const AttributeDomain domain = a.domain == "POINT"  ? AttributeDomain::vertex
                                    : a.domain == "FACE" ? AttributeDomain::face
                                                         : AttributeDomain::corner;
@@ -220,19 +259,23 @@ void SceneCompiler::compile_geometry() {
     move_edge_values(meshes[i]);
     add_attributes(mesh, meshes[i], attributes, diagnostics);
     add_islands(mesh, meshes[i], attributes);
+    add_strand_values(mesh, meshes[i], attributes);
     make_pointiness(mesh, meshes[i]);
     make_tangents(mesh, tangents[i]);
     index_attributes(mesh, attributes);
     if (mesh.dropped_faces > 0)
       diagnostics.add({"WARNING",
                        std::to_string(mesh.dropped_faces) +
-                           " faces are broken (not finite, or without vertices) and left out.",
+                           (mesh.shape == Shape::faces ? " faces" : " pieces of hair or points") +
+                           " are broken (not finite, or without vertices) and left out.",
                        meshes[i].name, "", "", ""});
     meshes[i] = MeshDesc();
     const Instance& user = scene.instances[first_user[i]];
-    displace(scene, user, mesh, diagnostics);
+    const bool has_faces = mesh.shape == Shape::faces;
+    if (has_faces) displace(scene, user, mesh, diagnostics);
     // A mesh that only one instance uses joins the top level of the acceleration structure.
-    if (users[i] == 1 && user.motion.empty() && user.object_to_world.determinant() != 0.0f)
+    if (users[i] == 1 && user.motion.empty() && user.object_to_world.determinant() != 0.0f &&
+        (has_faces || keeps_shape(user.object_to_world)))
       move_to_world_space(mesh, user.object_to_world);
   });
   if (is_cancelled()) return;

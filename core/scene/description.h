@@ -47,6 +47,14 @@ struct MeshDesc {
   std::vector<AttributeDesc> attributes;
   std::array<float, 3> texture_space_location{0, 0, 0};
   std::array<float, 3> texture_space_size{1, 1, 1};
+  // FACES, or in their place hairs (RIBBONS, TUBES) or points (SPHERES). Of those `positions` are
+  // the keys, attributes lie on POINT (key) or FACE (hair or point), and what faces need is empty.
+  std::string shape = "FACES";
+  Buffer<float> radii;                // (positions)
+  Buffer<int32_t> strand_sizes;       // (hairs) keys of each
+  Matrix34 to_object = k_identity34;  // from where `positions` are to object space
+  int ribbon_pieces = 5;              // flat ones between two keys
+  int first_strand = 0;               // number of the first, for the random numbers of each
 };
 
 // Where a thing exists: `worlds` bit w, `ray_kinds` bit k (camera, diffuse, glossy, transmission,

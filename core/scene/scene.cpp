@@ -19,7 +19,8 @@ size_t bytes(const std::vector<T>& v) {
 size_t mesh_bytes(const Mesh& m) {
   size_t total = bytes(m.positions) + bytes(m.face_vertices) + bytes(m.face_corners) +
                  bytes(m.face_polygons) + bytes(m.face_materials) + bytes(m.face_smooth) +
-                 bytes(m.vertex_normals) + bytes(m.corner_normals) + bytes(m.undisplaced);
+                 bytes(m.vertex_normals) + bytes(m.corner_normals) + bytes(m.undisplaced) +
+                 bytes(m.strands.keys) + bytes(m.strands.segments);
   for (const Attribute& a : m.attributes)
     total += bytes(a.data);
   return total;

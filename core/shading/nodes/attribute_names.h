@@ -17,6 +17,12 @@ constexpr const char* k_random_per_island = "\x01island";
 // place.
 constexpr const char* k_pointiness = "\x01pointiness";
 
+// Of hairs: on keys the way from the root as a part of the whole, on hairs that. Of hairs and
+// points a number that tells them apart.
+constexpr const char* k_strand_intercept = "\x01intercept";
+constexpr const char* k_strand_length = "\x01length";
+constexpr const char* k_strand_random = "\x01strand:random";
+
 // Of an instance that stands for a particle: (index, age, lifetime, size), and vectors.
 constexpr const char* k_particle_numbers = "\x01particle:numbers";
 constexpr const char* k_particle_location = "\x01particle:location";
