@@ -81,7 +81,11 @@ class MeshDesc:
     # FACES, or hairs (RIBBONS, TUBES) or points (SPHERES): `positions` are their keys, attributes
     # lie on POINT (key) or FACE (hair, point), and what faces need is not set.
     shape: str
-    radii: FloatBuffer | None  # (positions)
+    radii: FloatBuffer | None  # (positions); without them hairs taper as these four say
+    root_radius: float
+    tip_radius: float
+    radius_shape: float  # < 0: thick for long, > 0: thin soon
+    closes_tip: bool  # the last key of each hair has no radius
     strand_sizes: IntBuffer | None  # (hairs) keys of each
     to_object: Sequence[float]  # from where the keys' positions are to object space
     ribbon_pieces: int  # flat ones between two keys

@@ -272,7 +272,17 @@ class OtherSurfacesTest(ExportTestCase):
         for mesh in description.meshes:
             self.assertGreater(len(mesh.polygon_starts), 4)
 
-    def test_hair_curves_are_reported(self):
+    def test_hair_curves_without_curves_are_left_out(self):
         scene_factory.link(self.scene, bpy.data.hair_curves.new("Locks"))
         self.assertEqual(self.export().instances, [])
-        self.assert_reported("Locks", "Hair curves")
+
+    def test_hair_curves(self):
+        bpy.ops.object.curves_random_add()
+        obj = bpy.context.object
+        obj.name = "Locks"
+        description = self.export()
+        self.assertEqual([item.name for item in description.instances], ["Locks"])
+        mesh = description.meshes[0]
+        self.assertEqual((mesh.shape, len(mesh.strand_sizes)), ('RIBBONS', len(obj.data.curves)))
+        self.assertEqual(len(mesh.positions), 3 * sum(mesh.strand_sizes))
+        self.assertEqual(len(mesh.radii), sum(mesh.strand_sizes))

@@ -41,9 +41,9 @@ void check_attributes(const MeshDesc& mesh, size_t points, size_t edges, size_t 
 void check_strands(const MeshDesc& mesh) {
   const auto field = [](const char* name) { return FieldName{"MeshDesc", name}; };
   const size_t keys = size_of_required(mesh.positions, field("positions"), 3) / 3;
-  size_of_required(mesh.radii, field("radii"));
-  check_size(mesh.radii, keys, field("radii"));
   const bool has_hairs = mesh.shape != "SPHERES";
+  if (!has_hairs) size_of_required(mesh.radii, field("radii"));
+  check_size(mesh.radii, keys, field("radii"));
   const size_t strands =
       has_hairs ? size_of_required(mesh.strand_sizes, field("strand_sizes")) : keys;
   check_attributes(mesh, keys, 0, 0, strands);

@@ -56,7 +56,9 @@ void Bsdf::append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* ta
       },
       entry.lobe);
   if (!is_valid) return;
-  const Vec3 raised = ensure_valid_reflection(geometric_normal_, wo_, normal);
+  entry.is_fiber = std::holds_alternative<HairFiber>(entry.lobe);
+  const Vec3 raised =
+      entry.is_fiber ? normal : ensure_valid_reflection(geometric_normal_, wo_, normal);
   const bool has_tangent = tangent && is_finite(*tangent);
   entry.weight = weight;
   entry.frame =
@@ -80,6 +82,7 @@ void Bsdf::drop_faintest() {
 
 void Bsdf::drop_caustics(bool reflective, bool refractive) {
   const auto is_dropped = [&](const Weighted& entry) {
+    if (entry.is_fiber) return false;
     if (entry.lobe_class == LobeClass::glossy) return reflective;
     return entry.lobe_class == LobeClass::transmission && refractive &&
            !std::holds_alternative<Translucent>(entry.lobe);
@@ -114,10 +117,10 @@ void Bsdf::finish() {
 
 // Whether light from `wi` is on the side of the true surface that the class scatters to: shading
 // normals must not let it leak through.
-bool Bsdf::reaches(LobeClass c, Vec3 wi) const {
+bool Bsdf::reaches(const Weighted& entry, Vec3 wi) const {
   const float cos_geometric = dot(geometric_normal_, wi);
-  if (c == LobeClass::transparent) return true;
-  return c == LobeClass::transmission ? cos_geometric < 0.0f : cos_geometric > 0.0f;
+  if (entry.lobe_class == LobeClass::transparent || entry.is_fiber) return true;
+  return entry.lobe_class == LobeClass::transmission ? cos_geometric < 0.0f : cos_geometric > 0.0f;
 }
 
 LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
@@ -134,7 +137,7 @@ BsdfEval Bsdf::eval(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
   if (wanted.empty()) return sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
-    if (entry.is_delta || !wanted.has(entry.lobe_class) || !reaches(entry.lobe_class, wi)) continue;
+    if (entry.is_delta || !wanted.has(entry.lobe_class) || !reaches(entry, wi)) continue;
     const LobeEval e = eval_entry(entry, wi);
     if (value_lobes.has(entry.lobe_class)) sum.value += e.value;
     if (pdf_lobes.has(entry.lobe_class)) sum.pdf += entry.probability * e.pdf;
@@ -149,7 +152,7 @@ Spectrum Bsdf::value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     const bool reflects =
         entry.lobe_class == LobeClass::diffuse || entry.lobe_class == LobeClass::glossy;
-    if (reflects && !entry.is_delta && lobes.has(entry.lobe_class))
+    if (reflects && !entry.is_delta && !entry.is_fiber && lobes.has(entry.lobe_class))
       sum += eval_entry(entry, wi).value;
   }
   return sum;
@@ -180,7 +183,7 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   s.is_diffuse =
       chosen->lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(chosen->lobe);
   if (s.lobe_class == LobeClass::transparent) s.wi = -wo_;
-  if (!reaches(s.lobe_class, s.wi)) return std::nullopt;
+  if (!reaches(*chosen, s.wi)) return std::nullopt;
   s.pdf = chosen->probability * local->pdf;
   if (s.is_delta) {
     s.roughness = 0.0f;
@@ -197,7 +200,7 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   Spectrum value = own * local->pdf;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
-    if (&entry == chosen || entry.is_delta || !reaches(entry.lobe_class, s.wi)) continue;
+    if (&entry == chosen || entry.is_delta || !reaches(entry, s.wi)) continue;
     const LobeEval e = eval_entry(entry, s.wi);
     value += e.value;
     s.pdf += entry.probability * e.pdf;

@@ -87,13 +87,14 @@ class Bsdf {
     float probability = 0.0f;
     LobeClass lobe_class = LobeClass::diffuse;
     bool is_delta = false;
+    bool is_fiber = false;   // scatters all around a hair
     bool is_bumped = false;  // diffuse or translucent, around another normal than the shading one
   };
   void append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent);
   void drop_faintest();
   // One entry's part of `eval`: its value times weight, its pdf without the probability.
   LobeEval eval_entry(const Weighted& entry, Vec3 wi) const;
-  bool reaches(LobeClass c, Vec3 wi) const;
+  bool reaches(const Weighted& entry, Vec3 wi) const;
 
   std::array<Weighted, k_max_lobes + 1> entries_;
   int count_ = 0;

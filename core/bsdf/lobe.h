@@ -7,6 +7,7 @@
 #include "bsdf/clearcoat.h"
 #include "bsdf/diffuse.h"
 #include "bsdf/hair.h"
+#include "bsdf/hair_fiber.h"
 #include "bsdf/microfacet_reflection.h"
 #include "bsdf/microfacet_refraction.h"
 #include "bsdf/multi_ggx.h"
@@ -31,12 +32,12 @@ namespace tenniel {
 //   bool is_delta()               a rough lobe becomes one where its alpha is tiny (is_specular)
 //   bool make_valid()             clamps the parameters to their range; false if not finite
 //   void widen(alpha)             roughness at least `alpha`; sharp and diffuse lobes stay
-// with directions in the lobe's frame (z = its normal, wo.z > 0).
+// with directions in the lobe's frame (z = its normal, wo.z > 0; see hair_fiber.h for its own).
 using Lobe =
     std::variant<Diffuse, OrenNayar, PrincipledDiffuse, PrincipledSheen, Translucent, Transparent,
                  MicrofacetReflection, MicrofacetRefraction, Clearcoat, SpecularReflection,
-                 SpecularRefraction, Velvet, DiffuseToon, GlossyToon, HairLobe, AshikhminShirley,
-                 MultiGgxReflection, MultiGgxTransmission, Subsurface>;
+                 SpecularRefraction, Velvet, DiffuseToon, GlossyToon, HairLobe, HairFiber,
+                 AshikhminShirley, MultiGgxReflection, MultiGgxTransmission, Subsurface>;
 
 static_assert(std::is_trivially_copyable_v<Lobe>);
 

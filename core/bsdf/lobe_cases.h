@@ -84,6 +84,35 @@ inline std::vector<LobeCase> microfacet_cases() {
   return cases;
 }
 
+// Hairs, by what the artist sets: thin and thick, dark and clear, met in the middle and at the rim.
+inline std::vector<LobeCase> fiber_cases() {
+  struct Setting {
+    const char* name;
+    float along, around, coat, tilt, eta, offset;
+    Spectrum absorption;
+  };
+  const Setting settings[] = {
+      {"default", 0.3f, 0.3f, 0.0f, 0.0349f, 1.55f, 0.3f, {0.2f, 0.5f, 1.4f}},
+      {"clear", 0.5f, 0.6f, 0.0f, 0.0f, 1.55f, -0.7f, {}},
+      {"rim", 0.3f, 0.4f, 0.0f, -0.1f, 1.4f, 0.99f, {0.1f, 0.1f, 0.1f}},
+      {"rough", 1.0f, 1.0f, 0.5f, 0.05f, 1.8f, 0.0f, {1.0f, 0.1f, 0.0f}},
+      {"coated", 0.6f, 0.3f, 0.6f, 0.03f, 1.55f, -0.2f, {5.0f, 10.0f, 20.0f}}};
+  std::vector<LobeCase> cases;
+  for (const Setting& s : settings) {
+    for (const bool is_primary : {true, false}) {
+      HairFiber fiber = HairFiber::from_roughness(s.along, s.around, s.coat);
+      fiber.tilt = s.tilt;
+      fiber.eta = s.eta;
+      fiber.offset = s.offset;
+      fiber.absorption = s.absorption;
+      fiber.is_primary = is_primary;
+      cases.push_back({std::string(is_primary ? "FiberPrimary_" : "FiberInside_") + s.name, fiber,
+                       (is_primary ? 0.5f : 0.1f) * s.along * (1.0f - s.coat)});
+    }
+  }
+  return cases;
+}
+
 // Shapes without a microsurface behind them.
 inline std::vector<LobeCase> artistic_cases() {
   std::vector<LobeCase> cases;
@@ -127,6 +156,8 @@ inline std::vector<LobeCase> smooth_cases() {
   std::vector<LobeCase> cases = diffuse_cases();
   for (LobeCase& c : artistic_cases())
     cases.push_back(c);
+  for (LobeCase& c : fiber_cases())
+    cases.push_back(c);
   for (LobeCase& c : microfacet_cases())
     if (!visit_lobe([](const auto& l) { return l.is_delta(); }, c.lobe)) cases.push_back(c);
   return cases;
@@ -134,7 +165,7 @@ inline std::vector<LobeCase> smooth_cases() {
 
 inline std::vector<LobeCase> all_cases() {
   std::vector<LobeCase> cases = diffuse_cases();
-  for (const auto& more : {artistic_cases(), microfacet_cases(), delta_cases()})
+  for (const auto& more : {artistic_cases(), fiber_cases(), microfacet_cases(), delta_cases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }

@@ -139,6 +139,11 @@ Vec2 parametric_coordinates(const SurfaceInteraction& at) {
   return {at.weights[first], at.weights[(first + 1) % 3]};
 }
 
+Vec3 parametric_u_direction(const SurfaceInteraction& at) {
+  const size_t first = first_corner(at);
+  return at.corner_points[(first + 1) % 3] - at.corner_points[first];
+}
+
 Vec3 parametric_v_direction(const SurfaceInteraction& at) {
   const size_t first = first_corner(at);
   return at.corner_points[(first + 2) % 3] - at.corner_points[first];

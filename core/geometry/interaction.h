@@ -60,7 +60,9 @@ std::array<float, 4> interpolate(const Attribute& attribute, const SurfaceIntera
 // Blender's parametric coordinates: the weights of the first two corners of its own triangle.
 Vec2 parametric_coordinates(const SurfaceInteraction& at);
 
-// From the first corner of Blender's own triangle to its last, world space.
+// From the first corner of Blender's own triangle to the second and to the last, world space. Of a
+// hair: along it, and across.
+Vec3 parametric_u_direction(const SurfaceInteraction& at);
 Vec3 parametric_v_direction(const SurfaceInteraction& at);
 
 // The same surface extended in its tangent plane: position and barycentric weights moved by

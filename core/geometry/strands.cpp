@@ -23,9 +23,13 @@ bool is_usable(const StrandKey& key) {
          key.radius >= 0.0f && key.radius < k_farthest;
 }
 
-StrandKey key_of(const StrandSoup& soup, size_t i) {
+Vec3 point_of(const StrandSoup& soup, size_t i) {
   const float* p = soup.positions + 3 * i;
-  return {soup.to_object.point({p[0], p[1], p[2]}), soup.radii[i]};
+  return soup.to_object.point({p[0], p[1], p[2]});
+}
+
+StrandKey key_of(const StrandSoup& soup, size_t i) {
+  return {point_of(soup, i), soup.radii[i]};
 }
 
 void add_spheres(const StrandSoup& soup, Mesh& mesh) {
@@ -168,7 +172,7 @@ StrandLengths measure_strands(const StrandSoup& soup) {
     const size_t size = std::min(wanted, soup.key_count - key);
     float sum = 0.0f;
     for (size_t i = 0; i < size; ++i) {
-      if (i > 0) sum += length(key_of(soup, key + i).position - key_of(soup, key + i - 1).position);
+      if (i > 0) sum += length(point_of(soup, key + i) - point_of(soup, key + i - 1));
       result.intercepts.push_back(sum);
     }
     for (size_t i = 0; i < size; ++i)
@@ -177,6 +181,21 @@ StrandLengths measure_strands(const StrandSoup& soup) {
     key += size;
   }
   return result;
+}
+
+std::vector<float> tapered_radii(const StrandSoup& soup, const Taper& taper) {
+  std::vector<float> radii = measure_strands(soup).intercepts;
+  const float s = taper.shape;
+  const float power = s < 0.0f ? 1.0f + s : 1.0f / std::max(1.0f - s, 1e-6f);
+  for (float& r : radii)
+    r = std::pow(1.0f - saturate(r), power) * (taper.root - taper.tip) + taper.tip;
+  size_t end = 0;
+  for (size_t hair = 0; hair < soup.strand_count && taper.closes_tip; ++hair) {
+    end += static_cast<size_t>(std::max(soup.sizes[hair], 0));
+    if (end > 0 && end <= radii.size()) radii[end - 1] = 0.0f;
+  }
+  radii.resize(soup.key_count);
+  return radii;
 }
 
 bool keeps_shape(const Transform& m) {

@@ -38,7 +38,7 @@ struct StrandSoup {
   std::string name;
   Shape shape = Shape::ribbons;
   const float* positions = nullptr;  // (key_count, 3)
-  const float* radii = nullptr;      // (key_count)
+  const float* radii = nullptr;      // (key_count); not read by what measures
   size_t key_count = 0;
   const int32_t* sizes = nullptr;  // (strand_count) keys of each; not for spheres
   size_t strand_count = 0;
@@ -56,6 +56,13 @@ struct StrandLengths {
   std::vector<float> intercepts, lengths;
 };
 StrandLengths measure_strands(const StrandSoup& soup);
+
+// Particle hair: radius at each key by the way from the root. `shape` in [-1, 1] bends the taper.
+struct Taper {
+  float root = 0.0f, tip = 0.0f, shape = 0.0f;
+  bool closes_tip = false;
+};
+std::vector<float> tapered_radii(const StrandSoup& soup, const Taper& taper);
 
 // Whether `object_to_world` keeps round what is round: strands can be carried to world space.
 bool keeps_shape(const Transform& object_to_world);

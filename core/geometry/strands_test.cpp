@@ -246,6 +246,24 @@ TEST(Strands, SpheresAreRound) {
   }
 }
 
+// Power laws of the way that is left; the last key may be closed.
+TEST(Strands, TaperFollowsTheWayFromTheRoot) {
+  const Hairs hairs = straight(0.0f);
+  const StrandSoup soup = hairs.soup(Shape::ribbons);
+  const auto expect = [&](const Taper& taper, float power) {
+    const auto radii = tapered_radii(soup, taper);
+    ASSERT_EQ(radii.size(), 5u);
+    for (size_t i = 0; i < 5; ++i) {
+      const float left = std::pow(1.0f - 0.25f * static_cast<float>(i), power);
+      const bool is_closed = taper.closes_tip && i == 4;
+      EXPECT_NEAR(radii[i], is_closed ? 0.0f : 0.1f + 0.9f * left, 1e-6f);
+    }
+  };
+  expect({1.0f, 0.1f, 0.0f, false}, 1.0f);
+  expect({1.0f, 0.1f, -0.5f, false}, 0.5f);
+  expect({1.0f, 0.1f, 0.5f, true}, 2.0f);
+}
+
 TEST(Strands, UnevenScaleKeepsNoShape) {
   Transform m;
   EXPECT_TRUE(keeps_shape(m));

@@ -29,7 +29,7 @@ StrandSoup strand_soup(const MeshDesc& desc) {
   const size_t keys = desc.positions ? desc.positions->size() / 3 : 0;
   soup.positions = data_or_null(desc.positions, 0);
   soup.radii = data_or_null(desc.radii, keys);
-  soup.key_count = soup.radii != nullptr ? keys : 0;
+  soup.key_count = keys;
   soup.sizes = data_or_null(desc.strand_sizes, 0);
   soup.strand_count = desc.strand_sizes ? desc.strand_sizes->size() : 0;
   soup.to_object = Transform::from_rows(desc.to_object);
@@ -37,8 +37,19 @@ StrandSoup strand_soup(const MeshDesc& desc) {
   return soup;
 }
 
+Mesh strands_from(const MeshDesc& desc) {
+  StrandSoup soup = strand_soup(desc);
+  std::vector<float> radii;
+  if (soup.radii == nullptr) {
+    radii = tapered_radii(soup,
+                          {desc.root_radius, desc.tip_radius, desc.radius_shape, desc.closes_tip});
+    soup.radii = radii.data();
+  }
+  return build_strands(soup);
+}
+
 Mesh mesh_from(const MeshDesc& desc) {
-  if (desc.shape != "FACES") return build_strands(strand_soup(desc));
+  if (desc.shape != "FACES") return strands_from(desc);
   PolygonSoup soup;
   soup.name = desc.name;
   const auto size_of = [](const auto& buffer) { return buffer ? buffer->size() : size_t{0}; };

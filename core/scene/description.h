@@ -50,7 +50,11 @@ struct MeshDesc {
   // FACES, or in their place hairs (RIBBONS, TUBES) or points (SPHERES). Of those `positions` are
   // the keys, attributes lie on POINT (key) or FACE (hair or point), and what faces need is empty.
   std::string shape = "FACES";
-  Buffer<float> radii;                // (positions)
+  // (positions), or none: hairs taper from root to tip, by a power of the way that `radius_shape`
+  // bends (0: straight; towards -1 thick for long, towards 1 thin soon).
+  Buffer<float> radii;
+  float root_radius = 0.0f, tip_radius = 0.0f, radius_shape = 0.0f;
+  bool closes_tip = false;            // the last key of each hair has no radius
   Buffer<int32_t> strand_sizes;       // (hairs) keys of each
   Matrix34 to_object = k_identity34;  // from where `positions` are to object space
   int ribbon_pieces = 5;              // flat ones between two keys

@@ -52,6 +52,7 @@ const NodeRegistry& node_registry() {
     register_tracing_nodes(all);
     register_subsurface_nodes(all);
     register_principled_nodes(all);
+    register_principled_hair(all);
     register_volume_nodes(all);
     register_bump_nodes(all);
     register_aov_nodes(all);

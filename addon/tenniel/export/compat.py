@@ -23,6 +23,8 @@ _PLACES = {
     'longitude_max': (('cycles', 'longitude_max'), ('', 'longitude_max')),
     'latitude_min': (('cycles', 'latitude_min'), ('', 'latitude_min')),
     'latitude_max': (('cycles', 'latitude_max'), ('', 'latitude_max')),
+    'curves_shape': (('cycles_curves', 'shape'),),
+    'curves_subdivisions': (('cycles_curves', 'subdivisions'),),
     'texture_limit': (('cycles', 'texture_limit'),),
     'texture_limit_render': (('cycles', 'texture_limit_render'),),
 }

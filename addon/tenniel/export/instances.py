@@ -2,7 +2,7 @@
 """Walks all objects of the evaluated scene, instances included, and describes each.
 
 Objects of other kinds than mesh that have a surface (text, curves, metaballs) come from the
-depsgraph as instances of their evaluated mesh, so meshes are all there is to handle.
+depsgraph as instances of their evaluated mesh, so beside meshes there are only hair and points.
 """
 
 from typing import Any, NamedTuple
@@ -12,6 +12,7 @@ import bpy
 from .. import mirror_tags
 from . import material as materials
 from .context import CAMERA_BIT, GENERATED, Cancelled, matrix_rows, ray_kinds, world_bits
+from .hair import export_curves, export_hair_system, export_points, hair_systems
 from .light import export_light
 from .mesh import NO_MESH, export_mesh
 from .node_readers import CONDUCTOR, INSTANCE_ATTRIBUTE_PREFIXES
@@ -20,10 +21,12 @@ from .settings import hash_string, hash_uint2
 _UINT_MAX = 0xffffffff
 
 _NOT_RENDERED = {
-    'CURVES': "Hair curves are not rendered",
-    'POINTCLOUD': "Point clouds are not rendered",
     'VOLUME': "Volumes are not rendered",
 }
+
+# Data-blocks of hair and points; versions before 3.4 may lack them.
+_STRANDS = tuple(getattr(bpy.types, name) for name in ('Curves', 'PointCloud')
+                 if hasattr(bpy.types, name))
 
 # Nodes with lobes that a path may enter a dream by.
 _REFLECTING = frozenset({'ShaderNodeBsdfGlossy', 'ShaderNodeBsdfAnisotropic', 'ShaderNodeBsdfGlass',
@@ -49,15 +52,12 @@ def _is_smoke(obj):
 
 
 class _Template(NamedTuple):
-    """What all instances of one object by one instancer share.
+    """What all instances of a part of one object by one instancer share.
 
-    desc: InstanceDesc, or None where nothing is to be rendered. attributes: (type, name) to read.
+    A part is a mesh or the hair on it. attributes: (type, name) to read.
     """
     desc: Any
     attributes: tuple
-
-
-_NOTHING = _Template(None, ())
 
 
 def export_instances(context):
@@ -66,7 +66,7 @@ def export_instances(context):
     for number, instance in enumerate(context.depsgraph.object_instances):
         if number % _OBJECTS_PER_BREAK_TEST == 0:
             context.check_break()
-        if instance.show_self:
+        if instance.show_self or instance.show_particles:
             walker.visit(instance)
     _report_unseen(context)
 
@@ -89,6 +89,7 @@ class _Walker:
     def __init__(self, context):
         self._context = context
         self._templates = {}
+        self._hair_meshes = {}    # (object name_full, particle system) -> mesh
         self._tags = {}           # object name_full -> MirrorTags
         self._reported = set()
 
@@ -96,10 +97,14 @@ class _Walker:
         """Describes one entry of the depsgraph; an exception costs this entry only."""
         obj = instance.object
         try:
-            if obj.type == 'LIGHT':
+            if isinstance(obj.data, bpy.types.Mesh):
+                self._visit_geometry(instance, obj)
+            elif not instance.show_self:
+                pass
+            elif obj.type == 'LIGHT':
                 self._visit_light(instance, obj)
-            elif isinstance(obj.data, bpy.types.Mesh):
-                self._visit_mesh(instance, obj)
+            elif isinstance(obj.data, _STRANDS):
+                self._visit_geometry(instance, obj)
             elif obj.type in _NOT_RENDERED:
                 self._report_once(obj.name, _NOT_RENDERED[obj.type])
         except (Cancelled, KeyboardInterrupt):
@@ -115,19 +120,22 @@ class _Walker:
             export_light(self._context, obj.data, obj.name, instance.matrix_world, visibility,
                          _random(instance, obj))
 
-    # Meshes --------------------------------------------------------------------------------------
+    # Meshes, hair and points ---------------------------------------------------------------------
 
-    def _visit_mesh(self, instance, obj):
+    def _visit_geometry(self, instance, obj):
         parent = instance.parent if instance.is_instance else None
-        key = (obj.name_full, obj.data.as_pointer(), parent and parent.name_full)
-        template = self._templates.get(key)
-        if template is None:
+        key = (obj.name_full, obj.data.as_pointer(), parent and parent.name_full,
+               instance.show_self, instance.show_particles)
+        templates = self._templates.get(key)
+        if templates is None:
             # Kept also where it fails, so that each of a thousand instances does not fail again.
-            self._templates[key] = _NOTHING
-            template = self._templates[key] = self._prepare(instance, obj)
+            self._templates[key] = ()
+            templates = self._templates[key] = tuple(self._prepare(instance, obj))
+        for template in templates:
+            self._add(instance, obj, template)
+
+    def _add(self, instance, obj, template):
         desc = template.desc
-        if desc is None:
-            return
         desc.object_to_world = matrix_rows(instance.matrix_world)
         desc.random = _random(instance, obj)
         if self._context.motion is not None:
@@ -141,26 +149,65 @@ class _Walker:
         self._context.description.add_instance(desc)
 
     def _prepare(self, instance, obj):
+        """_Template of each part of an object."""
         context = self._context
         worlds, kinds = self._visibility(instance, obj)
-        if not worlds or not kinds or not context.view_layer.use_solid:
-            return _NOTHING
+        if not worlds or not kinds:
+            return
+        tags = self._tags_of(instance, obj)
+        front, behind = self._materials(obj, tags)
+        if isinstance(obj.data, bpy.types.Mesh):
+            if instance.show_self and context.view_layer.use_solid:
+                mesh = self._mesh(obj, tags, front, behind)
+                if mesh != NO_MESH:
+                    yield self._template(instance, obj, mesh, front, behind)
+            if instance.show_particles and context.view_layer.use_strand:
+                yield from self._hair(instance, obj, front, behind)
+            self._report_limits(obj)
+            return
+        names = _attribute_names(front, behind)
+        if isinstance(obj.data, bpy.types.PointCloud):
+            mesh = export_points(context, obj.data, names)
+        else:
+            has_hair = context.view_layer.use_strand
+            mesh = export_curves(context, obj.data, names) if has_hair else NO_MESH
+        if mesh != NO_MESH:
+            yield self._template(instance, obj, mesh, front[:1], behind[:1])
+
+    def _mesh(self, obj, tags, front, behind):
+        """Index of the mesh of an object, or NO_MESH."""
         if _is_smoke(obj):
             # Its box filled with the same density all over would hide what lies in it.
             self._report_once(obj.name, "Simulated smoke and fire are not rendered")
-            return _NOTHING
-        tags = self._tags_of(instance, obj)
-        front, behind = self._materials(obj, tags)
-        used = set(front) | set(behind)
-        names = frozenset().union(*(item.attributes for item in used))
+            return NO_MESH
+        names = _attribute_names(front, behind)
         original = self._original_mesh(obj)
         if original is None:
             names -= {GENERATED}
-        mesh = export_mesh(context, obj.data, original, names, len(front) > 1)
-        if mesh == NO_MESH:
-            if tags.looking_glass:
-                self._report_once(obj.name, "A looking glass without faces shows nothing")
-            return _NOTHING
+        mesh = export_mesh(self._context, obj.data, original, names, len(front) > 1)
+        if mesh == NO_MESH and tags.looking_glass:
+            self._report_once(obj.name, "A looking glass without faces shows nothing")
+        return mesh
+
+    def _hair(self, instance, obj, front, behind):
+        """_Template of each particle system that grows hair."""
+        owner = instance.instance_object if instance.is_instance else obj
+        if owner is None or owner.data != obj.data:
+            return
+        count = 0
+        for hair in hair_systems(self._context, owner):
+            slot = min(max(hair.slot, 0), len(front) - 1)
+            used = front[slot:slot + 1], behind[slot:slot + 1]
+            mesh = self._hair_meshes.get((owner.name_full, hair.system.name))
+            if mesh is None:
+                mesh = export_hair_system(self._context, hair, count, _attribute_names(*used))
+                self._hair_meshes[owner.name_full, hair.system.name] = mesh
+            count += hair.count
+            yield self._template(instance, obj, mesh, *used)
+
+    def _template(self, instance, obj, mesh, front, behind):
+        context = self._context
+        worlds, kinds = self._visibility(instance, obj)
         desc = context.core.InstanceDesc()
         desc.name = obj.name
         desc.mesh = mesh
@@ -172,9 +219,8 @@ class _Walker:
         desc.pass_index = obj.pass_index
         desc.is_holdout = self._layer_flag(instance, obj, 'holdout_get')
         desc.terminator_cutoff = _terminator_cutoff(obj)
-        self._set_looking_glass(desc, obj, tags, front)
-        self._report_limits(obj)
-        attributes = frozenset().union(*(item.instance_attributes for item in used))
+        self._set_looking_glass(desc, obj, self._tags_of(instance, obj), front)
+        attributes = frozenset().union(*(m.instance_attributes for m in (*front, *behind)))
         return _Template(desc, tuple(sorted(attributes)))
 
     def _original_mesh(self, obj):
@@ -270,14 +316,16 @@ class _Walker:
         if obj.is_shadow_catcher:
             self._report_once(obj.name, "Shadow catchers are not supported, it is rendered as an "
                               "ordinary object")
-        if any(item.settings.type == 'HAIR' and item.settings.render_type == 'PATH'
-               for item in obj.particle_systems):
-            self._report_once(obj.name, "Particle hair is not rendered")
 
     def _report_once(self, name, text):
         if (name, text) not in self._reported:
             self._reported.add((name, text))
             self._context.report('WARNING', text, object=name)
+
+
+def _attribute_names(front, behind):
+    """Attributes of the geometry that ExportedMaterials ask for."""
+    return frozenset().union(*(item.attributes for item in (*front, *behind)))
 
 
 def _terminator_cutoff(obj):

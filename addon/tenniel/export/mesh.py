@@ -21,7 +21,8 @@ _ATTRIBUTE_TYPES = {
     'FLOAT_COLOR': ('color', 4, True),
     'BYTE_COLOR': ('color', 4, True),
 }
-_DOMAINS = {'POINT', 'EDGE', 'CORNER', 'FACE'}
+# What the core calls each: hairs are to keys what polygons are to vertices.
+_DOMAINS = {'POINT': 'POINT', 'EDGE': 'EDGE', 'CORNER': 'CORNER', 'FACE': 'FACE', 'CURVE': 'FACE'}
 
 NO_MESH = -1
 
@@ -118,13 +119,17 @@ def _named(core, mesh, name):
         compat.read_uv(layer, desc.data)
         return desc
     source = compat.render_color_name(mesh) if name == ACTIVE_COLOR else name
-    attribute = mesh.attributes.get(source) if source else None
+    return read_attribute(core, mesh.attributes.get(source) if source else None, name)
+
+
+def read_attribute(core, attribute, name):
+    """AttributeDesc `name` of an attribute of any data-block, or None where it cannot be used."""
     if attribute is None or attribute.domain not in _DOMAINS:
         return None
     if attribute.data_type not in _ATTRIBUTE_TYPES:
         return None
     element, channels, is_float = _ATTRIBUTE_TYPES[attribute.data_type]
-    desc = _new(core, name, attribute.domain, channels, len(attribute.data))
+    desc = _new(core, name, _DOMAINS[attribute.domain], channels, len(attribute.data))
     if is_float:
         attribute.data.foreach_get(element, desc.data)
     else:

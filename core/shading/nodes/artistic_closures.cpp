@@ -37,9 +37,9 @@ struct HairNode {
 
   void eval(ShadingContext& context) const {
     const Vec3 n = context.closure_normal;
-    const bool has_strand = tangent.linked();
+    const bool has_strand = tangent.linked() || is_on_hair(context.surface);
     // A face has no strand: it lies along its parametrisation, and the offset is left out.
-    const Vec3 along = has_strand ? context.get(tangent) : side_of(context.surface);
+    const Vec3 along = tangent.linked() ? context.get(tangent) : side_of(context.surface);
     const Vec3 strand = normalize_or(along, {});
     HairLobe lobe{context.get(roughness_u), context.get(roughness_v)};
     lobe.offset = has_strand ? -context.get(offset) : 0.0f;
@@ -50,6 +50,7 @@ struct HairNode {
   uint8_t closure_parts() const { return k_query_scatter; }
 
   static Vec3 side_of(const SurfaceInteraction& surface) {
+    if (is_on_hair(surface)) return strand_direction(surface);
     return surface.mesh ? parametric_v_direction(surface) : Vec3{};
   }
 };

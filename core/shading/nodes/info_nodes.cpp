@@ -38,24 +38,47 @@ struct ParticleInfoNode {
   }
 };
 
-// A surface has neither strands nor points: zeros, as in Blender.
+// Of the hair that was hit; a surface has none: zeros, as in Blender.
 struct HairInfoNode {
   Output<float> is_strand, intercept, length, thickness, random;
   Output<Vec3> tangent_normal;
+  AttributeSlot intercepts{k_strand_intercept}, lengths{k_strand_length};
+  AttributeSlot randoms{k_strand_random};
+
   void eval(ShadingContext& context) const {
-    for (const auto* output : {&is_strand, &intercept, &length, &thickness, &random})
-      context.set(*output, 0.0f);
-    context.set(tangent_normal, Vec3{});
+    const SurfaceInteraction& at = context.surface;
+    const bool is_hair = is_on_hair(at);
+    const auto number = [&](const Output<float>& output, const AttributeSlot& slot) {
+      const auto value = is_hair ? mesh_attribute(context, slot.id) : std::nullopt;
+      context.set(output, value ? (*value)[0] : 0.0f);
+    };
+    context.set(is_strand, is_hair ? 1.0f : 0.0f);
+    number(intercept, intercepts);
+    number(length, lengths);
+    number(random, randoms);
+    context.set(thickness, strand_thickness(at));
+    context.set(tangent_normal, is_hair ? across_hair(at) : Vec3{});
+  }
+
+  // To the viewer, square to the hair.
+  static Vec3 across_hair(const SurfaceInteraction& at) {
+    const Vec3 along = normalize_or(strand_direction(at), {});
+    return normalize_or(at.wo - along * dot(along, at.wo), {});
   }
 };
 
 struct PointInfoNode {
   Output<Vec3> position;
   Output<float> radius, random;
+  AttributeSlot randoms{k_strand_random};
+
   void eval(ShadingContext& context) const {
-    context.set(position, Vec3{});
-    context.set(radius, 0.0f);
-    context.set(random, 0.0f);
+    const SurfaceInteraction& at = context.surface;
+    const bool is_point = is_on_sphere(at);
+    context.set(position, is_point ? sphere_center(at) : Vec3{});
+    context.set(radius, is_point ? sphere_radius(at) : 0.0f);
+    const auto value = is_point ? mesh_attribute(context, randoms.id) : std::nullopt;
+    context.set(random, value ? (*value)[0] : 0.0f);
   }
 };
 
@@ -110,11 +133,17 @@ void register_info_nodes(NodeRegistry& registry) {
       .output("Length", &HairInfoNode::length)
       .output("Thickness", &HairInfoNode::thickness)
       .output("Tangent Normal", &HairInfoNode::tangent_normal)
-      .output("Random", &HairInfoNode::random);
+      .output("Random", &HairInfoNode::random)
+      .setting("intercepts", &HairInfoNode::intercepts)
+      .setting("lengths", &HairInfoNode::lengths)
+      .setting("randoms", &HairInfoNode::randoms)
+      .varying();
   registry.add<PointInfoNode>("ShaderNodePointInfo")
       .output("Position", &PointInfoNode::position)
       .output("Radius", &PointInfoNode::radius)
-      .output("Random", &PointInfoNode::random);
+      .output("Random", &PointInfoNode::random)
+      .setting("randoms", &PointInfoNode::randoms)
+      .varying();
   registry.add<WireframeNode>("ShaderNodeWireframe")
       .input("Size", &WireframeNode::size)
       .output("Fac", &WireframeNode::factor)

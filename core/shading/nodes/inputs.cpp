@@ -33,9 +33,7 @@ struct GeometryNode {
     const SurfaceInteraction& surface = context.surface;
     context.set(position, surface.position);
     context.set(normal, surface.shading_normal);
-    if (tangent.used())
-      context.set(tangent,
-                  surface.mesh ? surface_tangent(surface, surface.shading_normal) : Vec3{});
+    if (tangent.used()) context.set(tangent, tangent_of(surface));
     context.set(true_normal, surface.geometric_normal);
     context.set(incoming, surface.wo);
     if (parametric.used()) context.set(parametric, parametric_of(surface));
@@ -48,6 +46,11 @@ struct GeometryNode {
       const auto value = mesh_attribute(context, island.id);
       context.set(random_per_island, value ? (*value)[0] : 0.0f);
     }
+  }
+
+  static Vec3 tangent_of(const SurfaceInteraction& surface) {
+    if (is_on_hair(surface)) return normalize_or(strand_direction(surface), {});
+    return surface.mesh ? surface_tangent(surface, surface.shading_normal) : Vec3{};
   }
 
   static Vec3 parametric_of(const SurfaceInteraction& surface) {

@@ -23,6 +23,7 @@ void register_artistic_closures(NodeRegistry& registry);
 void register_tracing_nodes(NodeRegistry& registry);
 void register_subsurface_nodes(NodeRegistry& registry);
 void register_principled_nodes(NodeRegistry& registry);
+void register_principled_hair(NodeRegistry& registry);
 void register_volume_nodes(NodeRegistry& registry);
 void register_bump_nodes(NodeRegistry& registry);
 void register_aov_nodes(NodeRegistry& registry);
