@@ -223,14 +223,20 @@ class ShadingTest(HairCase):
                 self.lamp()
             self.check(f"{name} {shape} {world}", **arguments)
 
-    def test_tubes_under_a_sun(self):
-        for name in ("diffuse", "glossy", "translucent"):
-            self.lit(name, "THICK", False)
+    def test_under_a_sun(self):
+        for name, samples in (("diffuse", 48), ("glossy", 64), ("translucent", 160)):
+            for shape in ("RIBBONS", "THICK"):
+                self.lit(name, shape, False, samples=samples)
 
-    def test_tubes_under_a_world(self):
+    def test_under_a_world(self):
         for name in ("diffuse", "glossy", "translucent"):
-            self.lit(name, "THICK", True)
+            for shape in ("RIBBONS", "THICK"):
+                self.lit(name, shape, True, samples=48, seeds=2)
 
     def test_principled_hair_under_a_world(self):
         for shape in ("RIBBONS", "THICK"):
             self.lit("principled", shape, True)
+
+    def test_principled_hair_under_a_sun(self):
+        for shape in ("RIBBONS", "THICK"):
+            self.lit("principled", shape, False, max_bounces=0, samples=48, seeds=2)

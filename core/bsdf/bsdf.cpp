@@ -26,7 +26,8 @@ bool differ(Vec3 a, Vec3 b) {
 
 }  // namespace
 
-void Bsdf::begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo) {
+void Bsdf::begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo, bool is_hair) {
+  is_hair_ = is_hair;
   geometric_normal_ = geometric_normal;
   shading_normal_ = shading_normal;
   wo_ = wo;
@@ -57,8 +58,9 @@ void Bsdf::append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* ta
       entry.lobe);
   if (!is_valid) return;
   entry.is_fiber = std::holds_alternative<HairFiber>(entry.lobe);
+  entry.is_round = entry.is_fiber || (is_hair_ && std::holds_alternative<HairLobe>(entry.lobe));
   const Vec3 raised =
-      entry.is_fiber ? normal : ensure_valid_reflection(geometric_normal_, wo_, normal);
+      is_hair_ || entry.is_fiber ? normal : ensure_valid_reflection(geometric_normal_, wo_, normal);
   const bool has_tangent = tangent && is_finite(*tangent);
   entry.weight = weight;
   entry.frame =
@@ -118,9 +120,17 @@ void Bsdf::finish() {
 // Whether light from `wi` is on the side of the true surface that the class scatters to: shading
 // normals must not let it leak through.
 bool Bsdf::reaches(const Weighted& entry, Vec3 wi) const {
-  const float cos_geometric = dot(geometric_normal_, wi);
-  if (entry.lobe_class == LobeClass::transparent || entry.is_fiber) return true;
+  // A flat ribbon stands for something round: on hairs the lobe's own normal says what is inside.
+  const float cos_geometric = dot(is_hair_ ? entry.frame.z : geometric_normal_, wi);
+  if (entry.lobe_class == LobeClass::transparent || entry.is_round) return true;
   return entry.lobe_class == LobeClass::transmission ? cos_geometric < 0.0f : cos_geometric > 0.0f;
+}
+
+// Whether light that was sampled in `wi` counts.
+bool Bsdf::is_lit_from(const Weighted& entry, Vec3 wi) const {
+  if (!is_hair_ || entry.is_fiber) return reaches(entry, wi);
+  const bool is_in_front = dot(shading_normal_, wi) > 0.0f;
+  return entry.lobe_class == LobeClass::transmission ? !is_in_front : is_in_front;
 }
 
 LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
@@ -137,22 +147,26 @@ BsdfEval Bsdf::eval(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
   if (wanted.empty()) return sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
-    if (entry.is_delta || !wanted.has(entry.lobe_class) || !reaches(entry, wi)) continue;
+    if (entry.is_delta || !wanted.has(entry.lobe_class)) continue;
+    const bool can_be_drawn = reaches(entry, wi), is_lit = is_lit_from(entry, wi);
+    if (!can_be_drawn && !is_lit) continue;
     const LobeEval e = eval_entry(entry, wi);
-    if (value_lobes.has(entry.lobe_class)) sum.value += e.value;
-    if (pdf_lobes.has(entry.lobe_class)) sum.pdf += entry.probability * e.pdf;
+    if (is_lit && value_lobes.has(entry.lobe_class)) sum.value += e.value;
+    if (can_be_drawn && pdf_lobes.has(entry.lobe_class)) sum.pdf += entry.probability * e.pdf;
   }
   return sum;
 }
 
 Spectrum Bsdf::value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
   Spectrum sum;
-  if (dot(geometric_normal_, wi) > 0.0f || !(dot(shading_normal_, wi) > 0.0f)) return sum;
+  // On a hair `eval` leaves out nothing.
+  if (is_hair_ || dot(geometric_normal_, wi) > 0.0f || !(dot(shading_normal_, wi) > 0.0f))
+    return sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     const bool reflects =
         entry.lobe_class == LobeClass::diffuse || entry.lobe_class == LobeClass::glossy;
-    if (reflects && !entry.is_delta && !entry.is_fiber && lobes.has(entry.lobe_class))
+    if (reflects && !entry.is_delta && lobes.has(entry.lobe_class))
       sum += eval_entry(entry, wi).value;
   }
   return sum;

@@ -41,8 +41,9 @@ class Bsdf {
  public:
   static constexpr int k_max_lobes = 16;
 
-  // `geometric_normal` and `wo` in world space, both on one side.
-  void begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo);
+  // `geometric_normal` and `wo` in world space, both on one side. On a hair the shading normal says
+  // which side a sampled light is on, as in Cycles: a flat ribbon stands for something round.
+  void begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo, bool is_hair = false);
   // Appends a lobe around `normal` (unit, world; raised where `wo` would lie below it) with
   // anisotropy along `tangent`. Black, non-finite and surplus lobes (beyond k_max_lobes) are
   // dropped, the smallest weight first.
@@ -87,7 +88,8 @@ class Bsdf {
     float probability = 0.0f;
     LobeClass lobe_class = LobeClass::diffuse;
     bool is_delta = false;
-    bool is_fiber = false;   // scatters all around a hair
+    bool is_round = false;   // scatters all around a hair: its directions have no sides
+    bool is_fiber = false;   // so do its values
     bool is_bumped = false;  // diffuse or translucent, around another normal than the shading one
   };
   void append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent);
@@ -95,11 +97,12 @@ class Bsdf {
   // One entry's part of `eval`: its value times weight, its pdf without the probability.
   LobeEval eval_entry(const Weighted& entry, Vec3 wi) const;
   bool reaches(const Weighted& entry, Vec3 wi) const;
+  bool is_lit_from(const Weighted& entry, Vec3 wi) const;
 
   std::array<Weighted, k_max_lobes + 1> entries_;
   int count_ = 0;
   LobeSet lobes_ = LobeSet::none(), smooth_lobes_ = LobeSet::none();
-  bool has_stochastic_ = false;
+  bool has_stochastic_ = false, is_hair_ = false;
   Vec3 geometric_normal_, shading_normal_, wo_;
 };
 

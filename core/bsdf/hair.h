@@ -20,6 +20,7 @@ struct HairLobe {
   float offset = 0.0f;
   float tilt = 0.0f;  // sine of the angle between the strand and the surface
   bool is_transmission = false;
+  bool is_round = false;  // on a hair: goes all around it, else to its side of the surface alone
 
   LobeClass lobe_class() const {
     return is_transmission ? LobeClass::transmission : LobeClass::glossy;
@@ -38,7 +39,7 @@ struct HairLobe {
   static Spectrum albedo(Vec3) { return Spectrum(1.0f); }
 
   LobeEval eval(Vec3 wo, Vec3 wi) const {
-    if (is_transmission ? !(wi.z < 0.0f) : !(wi.z > 0.0f)) return {};
+    if (!is_round && (is_transmission ? !(wi.z < 0.0f) : !(wi.z > 0.0f))) return {};
     Strand strand;
     if (!strand.set(tilt, wo)) return {};
     const float along = dot(strand.axis, wi);

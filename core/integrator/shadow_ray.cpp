@@ -4,6 +4,7 @@
 namespace tenniel {
 
 Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi) {
+  if (is_on_hair(at)) return offset_ray_origin(at, wi);
   const float cutoff = at.instance->terminator_cutoff;
   const float smooth = dot(at.shading_normal, wi), flat = dot(at.geometric_normal, wi);
   if (!(smooth > 0.0f) || !(flat < cutoff)) return offset_ray_origin(at, wi);

@@ -15,7 +15,7 @@ void ShadingContext::begin(uint8_t wanted_query) {
 void ShadingContext::bend_shading_normal(Vec3 normal) {
   surface.shading_normal = normal;
   closure_normal = normal;
-  bsdf.begin(surface.geometric_normal, normal, surface.wo);
+  bsdf.begin(surface.geometric_normal, normal, surface.wo, is_on_hair(surface));
 }
 
 }  // namespace tenniel

@@ -45,6 +45,7 @@ struct HairNode {
     lobe.offset = has_strand ? -context.get(offset) : 0.0f;
     lobe.tilt = dot(strand, n);
     lobe.is_transmission = component == HairComponent::transmission;
+    lobe.is_round = is_on_hair(context.surface);
     context.bsdf.add(lobe, context.get(color) * context.get(weight), n, strand);
   }
   uint8_t closure_parts() const { return k_query_scatter; }
