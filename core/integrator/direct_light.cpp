@@ -39,9 +39,9 @@ std::optional<LightSample> sample_mesh_light(const Scene& scene, const MeshLight
 }
 
 std::optional<LightSample> sample_environment(const Scene& scene, const EnvironmentLight& light,
-                                              const ShadingPoint& point, const PathInfo& path,
-                                              Vec2 u, ShadingContext& scratch) {
-  const auto drawn = light.sample(point, u);
+                                              const PathInfo& path, Vec2 u,
+                                              ShadingContext& scratch) {
+  const auto drawn = light.sample(u);
   if (!drawn) return {};
   const Spectrum radiance =
       background_radiance(scene, scene.worlds[path.world], drawn->wi, path, scratch);
@@ -56,7 +56,7 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
   if (const auto* mesh = light.as<MeshLight>())
     return sample_mesh_light(scene, *mesh, point, path, u, scratch);
   if (const auto* environment = light.as<EnvironmentLight>())
-    return sample_environment(scene, *environment, point, path, u, scratch);
+    return sample_environment(scene, *environment, path, u, scratch);
   auto sample = sample_lamp(light, point, u);
   if (sample && light.material) {
     const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
@@ -164,7 +164,7 @@ float background_weight(const Scene& scene, const PathState& state) {
   if (state.pdf <= 0.0f || world.light < 0) return 1.0f;
   const auto light = static_cast<uint32_t>(world.light);
   const auto* environment = scene.lights[light].as<EnvironmentLight>();
-  const float light_pdf = environment->pdf(state.origin, state.ray.direction) *
+  const float light_pdf = environment->pdf(state.ray.direction) *
                           scene.light_samplers[state.info.world].probability(state.origin, light);
   return power_heuristic(state.pdf, light_pdf);
 }

@@ -83,15 +83,7 @@ EnvironmentLight::EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance
   mean_ += from_sun;
 }
 
-std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(const ShadingPoint& point,
-                                                                    Vec2 u) const {
-  if (is_constant()) {
-    if (!point.has_hemisphere) return Direction{warp_uniform_sphere(u), uniform_sphere_pdf()};
-    const Vec3 local = warp_cosine_hemisphere(u);
-    if (!(local.z > 0.0f)) return {};
-    return Direction{Frame::from_normal(point.normal).to_world(local),
-                     cosine_hemisphere_pdf(local.z)};
-  }
+std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(Vec2 u) const {
   if (sun_ && u.x < sun_probability_) {
     u.x /= sun_probability_;
     const Vec3 wi =
@@ -111,10 +103,7 @@ std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(const Shadin
   return Direction{wi, (1.0f - sun_probability_) * density + sun_probability_ * sun_pdf(wi)};
 }
 
-float EnvironmentLight::pdf(const ShadingPoint& point, Vec3 wi) const {
-  if (is_constant())
-    return point.has_hemisphere ? cosine_hemisphere_pdf(dot(wi, point.normal))
-                                : uniform_sphere_pdf();
+float EnvironmentLight::pdf(Vec3 wi) const {
   return (1.0f - sun_probability_) * map_pdf(wi) + sun_probability_ * sun_pdf(wi);
 }
 

@@ -11,12 +11,11 @@
 
 namespace tenniel {
 
-// Light from everywhere. Sampled by an equirectangular map of its radiance, or by the cosine where
-// it is the same in all directions. A sun in it is sampled apart, by its share of the light.
+// Light from everywhere, sampled by an equirectangular map of its radiance. A sun in it is sampled
+// apart, by its share of the light.
 class EnvironmentLight {
  public:
   EnvironmentLight() = default;
-  explicit EnvironmentLight(Spectrum constant) : constant_(constant), mean_(mean(constant)) {}
   // Bakes `radiance` of a unit direction into a width x height map.
   EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance, int width, int height,
                    std::optional<SunDisk> sun = {});
@@ -25,13 +24,11 @@ class EnvironmentLight {
     Vec3 wi;
     float pdf = 0.0f;
   };
-  std::optional<Direction> sample(const ShadingPoint& point, Vec2 u) const;
-  float pdf(const ShadingPoint& point, Vec3 wi) const;
+  std::optional<Direction> sample(Vec2 u) const;
+  float pdf(Vec3 wi) const;
 
-  bool is_constant() const { return !map_; }
   // Whether both aim by the same map, and not by an equal one.
   bool shares_map_with(const EnvironmentLight& other) const { return map_ == other.map_; }
-  Spectrum constant() const { return constant_; }
   float mean_radiance() const { return mean_; }
 
  private:
@@ -40,7 +37,6 @@ class EnvironmentLight {
 
   // x: u = 0.5 - atan2(y, x) / 2 pi; y: v = 1 - acos(z) / pi. Shared by copies.
   std::shared_ptr<const Distribution2D> map_;
-  Spectrum constant_;
   float mean_ = 0.0f;
   std::optional<SunDisk> sun_;
   float sun_probability_ = 0.0f;

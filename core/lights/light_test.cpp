@@ -212,9 +212,9 @@ TEST(EnvironmentLightStatistics, LinearRadianceGivesTheKnownIrradiance) {
   constexpr uint32_t k_samples = 1u << 16;
   for (uint32_t i = 0; i < k_samples; ++i) {
     sampler.start_sample(0, 0, i);
-    const auto drawn = light.sample(k_floor, sampler.get_2d());
+    const auto drawn = light.sample(sampler.get_2d());
     if (!drawn) continue;
-    EXPECT_NEAR(light.pdf(k_floor, drawn->wi) / drawn->pdf, 1.0f, 1e-2f);
+    EXPECT_NEAR(light.pdf(drawn->wi) / drawn->pdf, 1.0f, 1e-2f);
     sum += radiance(drawn->wi).r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
   }
   EXPECT_NEAR(sum / k_samples, k_pi + k_two_pi / 3.0f * a.z, 0.01);
@@ -234,14 +234,14 @@ TEST(EnvironmentLightStatistics, SunInTheSkyIsSampledApart) {
   constexpr uint32_t k_samples = 1u << 14;
   for (uint32_t i = 0; i < k_samples; ++i) {
     sampler.start_sample(0, 0, i);
-    const auto drawn = light.sample(k_floor, sampler.get_2d());
+    const auto drawn = light.sample(sampler.get_2d());
     ASSERT_TRUE(drawn);
-    EXPECT_NEAR(light.pdf(k_floor, drawn->wi) / drawn->pdf, 1.0f, 2e-2f);
+    EXPECT_NEAR(light.pdf(drawn->wi) / drawn->pdf, 1.0f, 2e-2f);
     const double value = radiance(drawn->wi).r * std::max(drawn->wi.z, 0.0f) / drawn->pdf;
     sum += value;
     sum_of_squares += value * value;
     const Vec3 anywhere = warp_uniform_sphere(sampler.get_2d());
-    pdf_over_sphere += light.pdf(k_floor, anywhere) * 4.0 * k_pi;
+    pdf_over_sphere += light.pdf(anywhere) * 4.0 * k_pi;
   }
   const double expected = k_pi + 2e4 * solid_angle * sun.direction.z;
   EXPECT_NEAR(sum / k_samples, expected, 0.01 * expected);

@@ -165,6 +165,18 @@ NodeGraph patterned_world(const char* asks_for) {
   return g.build();
 }
 
+TEST(CompileScene, AWorldThatIsTheSameEverywhereIsNoLightToSample) {
+  SceneBuilder b;
+  b.object(square(), mirror()).looking_glass.dream = 1;
+  b.world(0.5f);
+  b.scene.worlds.push_back(b.scene.worlds[0]);
+  b.scene.worlds[1].graph = patterned_world(nullptr);
+  const Compiled c = compile(b.scene);
+  EXPECT_EQ(c.scene->worlds[0].light, -1);
+  EXPECT_TRUE(c.scene->worlds[0].material.emits);
+  EXPECT_GE(c.scene->worlds[1].light, 0);
+}
+
 TEST(CompileScene, WorldsThatLookTheSameShareTheirMap) {
   const auto shares = [](const char* asks_for, bool is_same) {
     SceneBuilder b;
