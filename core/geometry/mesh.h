@@ -70,6 +70,10 @@ struct Mesh {
   bool is_smooth(uint32_t face) const {
     return face_smooth.empty() ? all_smooth : face_smooth[face] != 0;
   }
+  void prefetch(uint32_t face) const {
+    __builtin_prefetch(face_vertices.data() + face * stride());
+    __builtin_prefetch(face_smooth.data() + face);
+  }
   // The attribute of an interned name; null where this mesh has none.
   const Attribute* attribute(int id) const {
     if (id < 0 || id >= static_cast<int>(slot_of_attribute.size())) return nullptr;

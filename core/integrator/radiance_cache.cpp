@@ -11,8 +11,8 @@ namespace tenniel {
 
 namespace {
 
-// Measured in a closed room: from 3 to 12 cells the noise is the same, finer ones know too little.
-constexpr float k_cells_across = 6.0f;
+// Measured in a closed room: with 6 to 24 cells the noise is the same, if they know enough.
+constexpr float k_cells_across = 8.0f;
 constexpr size_t k_min_records = 32;
 // Few records may agree by accident; nothing is as sure as they say.
 constexpr float k_min_relative_deviation = 0.25f;
@@ -53,28 +53,26 @@ Bounds bounds_of(const std::vector<RadianceRecord>& records, float Vec3::*axis) 
 
 // Sums of the records of one cell.
 struct Sums {
-  size_t bounces = 0;
-  double weight = 0.0, r = 0.0, g = 0.0, b = 0.0, squared = 0.0;
+  size_t count = 0;
+  double r = 0.0, g = 0.0, b = 0.0, squared = 0.0;
 
   void add(const RadianceRecord& record) {
-    ++bounces;
-    const double w = static_cast<double>(record.weight);
-    weight += w;
-    r += w * static_cast<double>(record.radiance.r);
-    g += w * static_cast<double>(record.radiance.g);
-    b += w * static_cast<double>(record.radiance.b);
+    ++count;
+    r += static_cast<double>(record.radiance.r);
+    g += static_cast<double>(record.radiance.g);
+    b += static_cast<double>(record.radiance.b);
     const double top = static_cast<double>(max_component(record.radiance));
-    squared += w * top * top;
+    squared += top * top;
   }
 
-  bool is_usable() const { return bounces >= k_min_records && std::max({r, g, b}) > 0.0; }
+  bool is_usable() const { return count >= k_min_records && std::max({r, g, b}) > 0.0; }
 
   CachedRadiance result() const {
     CachedRadiance known;
-    known.mean = {static_cast<float>(r / weight), static_cast<float>(g / weight),
-                  static_cast<float>(b / weight)};
-    const double top = std::max({r, g, b}) / weight;
-    const double variance = std::max(squared / weight - top * top, 0.0);
+    const double n = static_cast<double>(count);
+    known.mean = {static_cast<float>(r / n), static_cast<float>(g / n), static_cast<float>(b / n)};
+    const double top = std::max({r, g, b}) / n;
+    const double variance = std::max(squared / n - top * top, 0.0);
     known.deviation = std::max(static_cast<float>(std::sqrt(variance)),
                                k_min_relative_deviation * max_component(known.mean));
     return known;

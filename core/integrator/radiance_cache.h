@@ -10,20 +10,19 @@
 
 namespace tenniel {
 
-// What one training path found after one of its diffuse bounces.
+// What one training path found at one of the diffuse surfaces that it met.
 struct RadianceRecord {
   Vec3 position;
   Vec3 normal;  // of the side the path came from
   WorldIndex world = 0;
-  // All that the path gathered after its bounce over its throughput there, and the density of a
-  // cosine over that of the direction.
+  // All that the path gathered there and after, over throughput and albedo: what a white surface
+  // in this place sends back.
   Spectrum radiance;
-  float weight = 1.0f;
 };
 
 // What the training paths found in the neighbourhood of a vertex.
 struct CachedRadiance {
-  Spectrum mean;           // of what a diffuse bounce brings, without the albedo; not black
+  Spectrum mean;           // of what a white surface sends back; not black
   float deviation = 0.0f;  // standard deviation of one path's, brightest channel
 };
 

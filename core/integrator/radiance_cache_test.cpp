@@ -18,9 +18,9 @@ std::vector<RadianceRecord> room_of_records() {
     const Vec3 p{static_cast<float>(i % 100) / 10.0f, static_cast<float>(i / 100 % 20) / 2.0f,
                  static_cast<float>(i / 2000)};
     const float value = (p.x < 5.0f ? 1.0f : 3.0f) * (i % 2 ? 0.5f : 1.5f);
-    records.push_back({p, k_up, 0, Spectrum(value, 0.0f, 0.0f), 1.0f});
-    records.push_back({p, -k_up, 0, Spectrum(8.0f), 1.0f});
-    records.push_back({p, k_up, 1, Spectrum(), 1.0f});
+    records.push_back({p, k_up, 0, Spectrum(value, 0.0f, 0.0f)});
+    records.push_back({p, -k_up, 0, Spectrum(8.0f)});
+    records.push_back({p, k_up, 1, Spectrum()});
   }
   return records;
 }
@@ -55,24 +55,24 @@ TEST(RadianceCache, SaysNothingWhereItKnowsNothing) {
 
 TEST(RadianceCache, OneFarVertexDoesNotStretchTheCells) {
   std::vector<RadianceRecord> records = room_of_records();
-  records.push_back({{1e8f, 0.0f, 0.0f}, k_up, 0, Spectrum(1.0f), 1.0f});
+  records.push_back({{1e8f, 0.0f, 0.0f}, k_up, 0, Spectrum(1.0f)});
   const RadianceCache cache(records, 2.0f);
   EXPECT_NEAR(cache.find({1.0f, 5.0f, 5.0f}, k_up, 0)->mean.r, 1.0f, 0.05f);
 }
 
 TEST(RadianceCache, RecordsInOnePlaceAreOneCell) {
-  const std::vector<RadianceRecord> records(100, {{1, 2, 3}, k_up, 2, Spectrum(0.5f), 1.0f});
+  const std::vector<RadianceRecord> records(100, {{1, 2, 3}, k_up, 2, Spectrum(0.5f)});
   const RadianceCache cache(records, 1.0f);
   ASSERT_NE(cache.find({1, 2, 3}, k_up, 2), nullptr);
   EXPECT_FLOAT_EQ(cache.find({1, 2, 3}, k_up, 2)->mean.g, 0.5f);
 }
 
-TEST(PathRecorder, ARecordIsWhatCameAfterTheBounceOverItsThroughput) {
+TEST(PathRecorder, ARecordIsWhatCameAfterOverTheThroughput) {
   PathRecorder recorder;
   recorder.begin();
-  const RadianceRecord where{{}, k_up, 0, {}, 1.0f};
-  recorder.diffuse_bounce(where, Spectrum(0.5f, 0.25f, 0.0f), Spectrum(1.0f));
-  recorder.diffuse_bounce(where, Spectrum(0.1f), Spectrum(2.0f));
+  const RadianceRecord where{{}, k_up, 0, {}};
+  recorder.diffuse_surface(where, Spectrum(0.5f, 0.25f, 0.0f), Spectrum(1.0f));
+  recorder.diffuse_surface(where, Spectrum(0.1f), Spectrum(2.0f));
   std::vector<Spectrum> found;
   recorder.finish(Spectrum(3.0f), [&](const RadianceRecord& r) { found.push_back(r.radiance); });
   ASSERT_EQ(found.size(), 2u);

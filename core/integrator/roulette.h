@@ -7,11 +7,11 @@
 #include "integrator/radiance_cache.h"
 #include "math/spectrum.h"
 
-// Roulette against what is already known. A ray expected to bring C is traced with probability p
-// and brings C + (X - C) / p; otherwise it brings C. The mean is that of X whatever C is, and the
-// noise that the roulette adds is that of X - C alone, so that rays of small consequence are left
-// out early. p follows how much they would change the pixel (after Vorba & Krivanek 2016,
-// "Adjoint-Driven Russian Roulette and Splitting").
+// Roulette against what is already known. A path expected to bring C goes on with probability p and
+// brings C + (X - C) / p; otherwise it brings C. The mean is that of X whatever C is, and the noise
+// that the roulette adds is that of X - C alone, so that paths of small consequence end early. p
+// follows how much they would change the pixel (after Vorba & Krivanek 2016, "Adjoint-Driven
+// Russian Roulette and Splitting").
 namespace tenniel {
 
 // Measured in a closed room: the noise of Cycles at equal samples.
@@ -21,8 +21,8 @@ constexpr float k_roulette_effort = 1.3f;
 constexpr float k_min_probability = 0.1f;
 constexpr float k_least_share = 0.25f;
 
-// The change of a pixel that is worth a ray, in between equal absolute noise everywhere and equal
-// noise relative to the pixel: about equal noise as displayed.
+// The change of a pixel that is worth going on for, in between equal absolute noise everywhere and
+// equal noise relative to the pixel: about equal noise as displayed.
 inline float worthwhile_change(Spectrum pixel, float picture_mean) {
   return std::sqrt(std::max(max_component(pixel), 0.0f) * picture_mean) / k_roulette_effort;
 }
