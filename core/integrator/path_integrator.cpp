@@ -312,8 +312,8 @@ void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint&
   if ((smooth & groups.entering.lobes).empty()) return;
   // A glass whose lobes all enter is an ordinary mirror, number for number.
   if (!keeps) return add_group(groups.entering, of_vertex);
-  // One sample each: choosing one group by albedo saves 5 % of the rays of a room of such mirrors and
-  // costs 22 % more variance.
+  // One sample each: choosing one group by albedo saves 5 % of the rays of a room of such mirrors
+  // and costs 22 % more variance.
   const float choice = worker_.sampler.get_1d();
   add_group(groups.entering, {choice, worker_.sampler.get_2d()});
 }

@@ -189,7 +189,7 @@ struct RenderSettings {
   int max_bounces = 12, diffuse_bounces = 4, glossy_bounces = 4, transmission_bounces = 12;
   int volume_bounces = 0;
   int transparent_max_bounces = 8;
-  int min_light_bounces = 0;                          // no roulette before
+  int min_light_bounces = 0;       // no roulette before
   bool use_radiance_cache = true;  // learn for a moment what bounces bring, for the roulette
   float clamp_direct = 0.0f, clamp_indirect = 10.0f;  // 0 = none
   float blur_glossy = 1.0f;

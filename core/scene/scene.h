@@ -61,9 +61,7 @@ struct Scene final : RayQueries {
     return materials[at.instance->material(at.mesh->material_slot(at.face), world)];
   }
   // Calls what `interaction` reads first from memory.
-  void prefetch(const Hit& hit) const {
-    meshes[instances[hit.instance].mesh].prefetch(hit.face);
-  }
+  void prefetch(const Hit& hit) const { meshes[instances[hit.instance].mesh].prefetch(hit.face); }
   // World-space point and normals where `ray` met `hit`.
   SurfaceInteraction interaction(const Ray& ray, const Hit& hit, float footprint) const {
     const Instance& instance = instances[hit.instance];
