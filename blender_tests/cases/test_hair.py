@@ -224,11 +224,13 @@ class ShadingTest(HairCase):
             self.check(f"{name} {shape} {world}", **arguments)
 
     def test_under_a_sun(self):
-        for name, samples in (("diffuse", 48), ("glossy", 64), ("translucent", 160)):
+        for name, samples in (("diffuse", 48), ("glossy", 64), ("translucent", 160), ("hair", 96)):
             for shape in ("RIBBONS", "THICK"):
                 self.lit(name, shape, False, samples=samples)
 
     def test_under_a_world(self):
+        # Not the Hair BSDF: Blender draws more directions of it than it gives a value to, so that a
+        # sampled World, which Cycles leaves to chance where it is uniform, finds 1 % less.
         for name in ("diffuse", "glossy", "translucent"):
             for shape in ("RIBBONS", "THICK"):
                 self.lit(name, shape, True, samples=48, seeds=2)

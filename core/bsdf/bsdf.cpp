@@ -130,7 +130,11 @@ bool Bsdf::reaches(const Weighted& entry, Vec3 wi) const {
 bool Bsdf::is_lit_from(const Weighted& entry, Vec3 wi) const {
   if (!is_hair_ || entry.is_fiber) return reaches(entry, wi);
   const bool is_in_front = dot(shading_normal_, wi) > 0.0f;
-  return entry.lobe_class == LobeClass::transmission ? !is_in_front : is_in_front;
+  if (entry.lobe_class == LobeClass::transmission) return !is_in_front;
+  if (!entry.is_round) return is_in_front;
+  // Nor does the reflection of Blender's Hair BSDF go farther around than square to the viewer.
+  const Vec3 along = entry.frame.x;
+  return is_in_front && dot(wi, wo_ - along * dot(along, wo_)) > 0.0f;
 }
 
 LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {

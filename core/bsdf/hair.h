@@ -114,7 +114,7 @@ struct HairLobe {
     return roughness_v / (2.0f * azimuth_limit(widest) * (sqr(k_pi - phi) + sqr(roughness_v)));
   }
   float reflected_around(float phi) const {
-    if (phi > k_half_pi || phi > k_pi * roughness_v) return 0.0f;
+    if ((!is_round && phi > k_half_pi) || phi > k_pi * roughness_v) return 0.0f;
     return 0.25f * std::max(std::cos(0.5f * phi / roughness_v), 0.0f) / roughness_v;
   }
 };
