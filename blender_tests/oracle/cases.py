@@ -85,7 +85,7 @@ CASES = (
     Case("chromium_rough", _metal("Chromium", 0.2)),
     Case("glass", Surface("glass")),
     Case("glass_rough", Surface("glass", 0.35), limit=None),
-    Case("glass_rough_multiple", Surface("glass", 0.2, "MULTI_GGX")),
+    Case("glass_rough_multiple", Surface("glass", 0.1, "MULTI_GGX"), samples=192),
     Case("chardonnay", Surface("glass", ior=1.33), _liquid("Chardonnay", 60.0)),
     Case("apple_juice_matched", Surface("none"), _liquid("Apple Juice", 60.0)),
     Case("smoke", Surface("none"), _SMOKE),
