@@ -14,8 +14,9 @@
 // Russian Roulette and Splitting").
 namespace tenniel {
 
-// Measured in a closed room: the noise of Cycles at equal samples.
-constexpr float k_roulette_effort = 1.3f;
+// Measured in a closed room: where noise times time is least, 0.75 of Cycles' noise. At 1.3 the
+// noise is Cycles' and the time 0.85 of this.
+constexpr float k_roulette_effort = 2.0f;
 // What the neighbourhood does not show may still be there: no ray is made rarer than this, and none
 // rarer than this share of what its throughput says.
 constexpr float k_min_probability = 0.1f;
