@@ -14,9 +14,9 @@ constexpr Vec3 k_up{0.0f, 0.0f, 1.0f};
 // Fills a 10 m cube with records whose radiance depends on the half of space, the side, the world.
 std::vector<RadianceRecord> room_of_records() {
   std::vector<RadianceRecord> records;
-  for (int i = 0; i < 20000; ++i) {
-    const Vec3 p{static_cast<float>(i % 100) / 10.0f, static_cast<float>(i / 100 % 20) / 2.0f,
-                 static_cast<float>(i / 2000)};
+  for (int i = 0; i < 80000; ++i) {
+    const Vec3 p{static_cast<float>(i % 100) / 10.0f, static_cast<float>(i / 100 % 80) / 8.0f,
+                 static_cast<float>(i / 8000)};
     const float value = (p.x < 5.0f ? 1.0f : 3.0f) * ((i + i / 100) % 2 ? 0.5f : 1.5f);
     records.push_back({p, k_up, 0, Spectrum(value, 0.0f, 0.0f)});
     records.push_back({p, -k_up, 0, Spectrum(8.0f)});
