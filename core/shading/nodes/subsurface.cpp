@@ -24,9 +24,12 @@ Spectrum add_below(ShadingContext& context, const SubsurfaceRequest& request, Sp
   lobe.color = request.color;
   lobe.anisotropy = std::clamp(request.anisotropy, 0.0f, k_max_subsurface_anisotropy);
   const float ior = std::clamp(request.ior, k_min_ior, k_max_ior);
+  // Strands and points have no inside to walk through.
+  const Mesh* mesh = context.surface.mesh;
+  const bool has_inside = mesh != nullptr && mesh->shape == Shape::faces;
   Spectrum at_surface;
   const auto part = [&](float radius, float color, float& below, float& rest, float& length) {
-    if (radius >= k_min_subsurface_radius) {
+    if (has_inside && radius >= k_min_subsurface_radius) {
       length = radius * subsurface_radius_scale(request.method, color, ior);
     } else {
       rest = below;
