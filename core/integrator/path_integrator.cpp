@@ -263,12 +263,22 @@ bool PathTracer::survives(float u) {
   return true;
 }
 
+// Whether a surface sends light back much as a diffuse one of its albedo.
+bool is_mostly_diffuse(const Bsdf& bsdf) {
+  const LobeSet diffuse = LobeSet::of(LobeClass::diffuse);
+  const LobeSet lobes = bsdf.lobes();
+  if (lobes.bits == diffuse.bits) return true;
+  if (!lobes.has(LobeClass::diffuse) || lobes.has(LobeClass::transmission) ||
+      lobes.has(LobeClass::transparent))
+    return false;
+  return mean(bsdf.albedo(diffuse)) >= 0.5f * mean(bsdf.albedo());
+}
+
 // Played where a path meets a surface, before any light is sampled there: what a diffuse surface
 // sends back may be known.
 bool PathTracer::survives_arrival(const SurfaceInteraction& at) {
   const Bsdf& bsdf = worker_.surface.bsdf;
-  const bool is_diffuse = bsdf.lobes().bits == LobeSet::of(LobeClass::diffuse).bits;
-  if (!is_diffuse) return survives_deferred();
+  if (!is_mostly_diffuse(bsdf)) return survives_deferred();
   const Spectrum throughput = state_.throughput * bsdf.albedo();
   const Vec3 side = at.geometric_normal;
   if (worker_.recorder)
