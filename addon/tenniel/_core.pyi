@@ -112,6 +112,7 @@ class InstanceDesc:
     generated: Sequence[float]  # 3
     instancer_uv: Sequence[float]  # 2
     attributes: dict[str, Sequence[float]]  # 4 floats each: Attribute nodes of type OBJECT etc.
+    grids: list[int]  # indices of what fills it, each by its name as an attribute
 
 class MaterialDesc:
     name: str
@@ -166,6 +167,14 @@ class ImageDesc:
     alpha_mode: str  # STRAIGHT, PREMUL, CHANNEL_PACKED, NONE
     is_data: bool
     is_float: bool
+
+class GridDesc:
+    name: str  # of the attribute
+    width: int
+    height: int
+    depth: int
+    channels: int
+    values: FloatBuffer  # (depth, height, width, channels)
 
 class AovDesc:
     name: str
@@ -240,6 +249,7 @@ class SceneDescription:
     def add_world(self, world: WorldDesc) -> int:
         """The first is the scene's World; the next four are those of dreams 1..4."""
     def add_image(self, image: ImageDesc) -> int: ...
+    def add_grid(self, grid: GridDesc) -> int: ...
     def add_aov(self, aov: AovDesc) -> int:
         """A pass that `RenderSession.read_pass` knows by this name too."""
 

@@ -250,7 +250,7 @@ class NodeTest(BadInputCase):
         """A node that is not covered gives a neutral value and says so."""
         material = emission_of("Odd", lambda n: n.add("ShaderNodeTexPointDensity"))
         scene_factory.plane(self.scene, 1.0, material, location=(1, 0, 0))
-        self.render_bad(("Odd", "Point Density"))
+        self.render_bad(("Odd", "Point Density", "no points"))
 
     def test_every_node_type(self):
         """Each node that can be added renders, covered or not."""

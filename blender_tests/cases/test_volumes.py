@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Participating media against Cycles: nodes, lamps in fog, glass, cameras inside, many objects."""
 import math
+import shutil
+import tempfile
 
 from support import scene_factory
 from support.case import RenderTestCase
@@ -251,6 +253,82 @@ class VaryingTest(VolumeCase):
         make = self.textured("ShaderNodeVolumePrincipled", "Emission Strength",
                              "ShaderNodeTexChecker", Density=0.5)
         self.in_box("checkered glow", make, relative=0.01)
+
+
+class GridTest(VolumeCase):
+
+    def smoke(self, build):
+        """A box of some frames of a simulation; its volume is what `build(Nodes)` returns."""
+        cache = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, cache, ignore_errors=True)
+        domain = scene_factory.box(self.scene, 2.0, scene_factory.volume_material("smoke", build),
+                                   rotation=(0, 0, 25))
+        modifier = domain.modifiers.new("Fluid", "FLUID")
+        modifier.fluid_type = "DOMAIN"
+        settings = modifier.domain_settings
+        settings.domain_type = "GAS"
+        settings.resolution_max = 16
+        settings.cache_type = "REPLAY"
+        settings.cache_directory = cache
+        source = scene_factory.sphere(self.scene, 0.45, location=(0.2, 0, -0.5))
+        source.hide_render = True
+        flow = source.modifiers.new("Fluid", "FLUID")
+        flow.fluid_type = "FLOW"
+        flow.flow_settings.flow_type = "BOTH"
+        flow.flow_settings.flow_behavior = "INFLOW"
+        flow.flow_settings.smoke_color = (0.9, 0.4, 0.1)
+        for frame in range(1, 6):
+            self.scene.frame_set(frame)
+
+    def simulated(self, name, build, **arguments):
+        with self.subTest(name):
+            self.setUp()
+            self.room()
+            self.smoke(build)
+            self.agrees(name, relative=0.01, **arguments)
+
+    def test_principled_smoke(self):
+        self.simulated("density", lambda nodes: nodes.add("ShaderNodeVolumePrincipled", None, {
+            "Density": 3.0, "Color Attribute": "color"}))
+        self.simulated("fire", lambda nodes: nodes.add("ShaderNodeVolumePrincipled", None, {
+            "Density": 1.0, "Blackbody Intensity": 1.0, "Temperature": 600.0}))
+
+    def test_volume_info_and_attribute(self):
+        def build(nodes):
+            info = nodes.add("ShaderNodeVolumeInfo")
+            heat = nodes.add("ShaderNodeAttribute", {"attribute_name": "heat"})
+            smoke = nodes.add("ShaderNodeVolumeAbsorption", None, {
+                "Color": info.outputs["Color"], "Density": info.outputs["Density"]})
+            fire = nodes.add("ShaderNodeEmission", None, {
+                "Color": (1.0, 0.5, 0.2), "Strength": info.outputs["Flame"]})
+            warm = nodes.add("ShaderNodeEmission", None, {
+                "Color": (0.1, 0.2, 0.9), "Strength": heat.outputs["Fac"]})
+            both = nodes.add("ShaderNodeAddShader", None, {0: smoke, 1: fire})
+            return nodes.add("ShaderNodeAddShader", None, {0: both, 1: warm})
+        self.simulated("info", build)
+
+    def points(self, space, interpolation):
+        """Maker: how dense the corners of a box are."""
+        source = scene_factory.box(self.scene, 1.0, location=(0.1, 0, 0), rotation=(0, 0, 10))
+        source.hide_render = True
+
+        def build(nodes):
+            points = nodes.add("ShaderNodeTexPointDensity", {
+                "point_source": "OBJECT", "object": source, "resolution": 12, "radius": 0.6,
+                "space": space, "interpolation": interpolation})
+            return nodes.add("ShaderNodeVolumeAbsorption", None, {
+                "Color": (0.2, 0.5, 0.8), "Density": points.outputs["Density"]})
+        return scene_factory.volume_material("points", build)
+
+    def test_point_density(self):
+        for space, interpolation in (("OBJECT", "Linear"), ("WORLD", "Linear"), ("WORLD", "Cubic"),
+                                     ("WORLD", "Closest")):
+            with self.subTest(f"{space} {interpolation}"):
+                self.setUp()
+                self.room()
+                scene_factory.box(self.scene, 2.0, self.points(space, interpolation),
+                                  rotation=(0, 0, 25))
+                self.agrees(f"points {space} {interpolation}", relative=0.01)
 
 
 class AbsorptionOracleTest(RenderTestCase):

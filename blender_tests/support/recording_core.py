@@ -99,6 +99,7 @@ class SceneDescription:
         self.settings = None
         self.meshes, self.instances, self.materials = [], [], []
         self.lights, self.worlds, self.images, self.aovs = [], [], [], []
+        self.grids = []
 
     @staticmethod
     def _add(items, item):
@@ -122,6 +123,9 @@ class SceneDescription:
 
     def add_image(self, image):
         return self._add(self.images, image)
+
+    def add_grid(self, grid):
+        return self._add(self.grids, grid)
 
     def add_aov(self, aov):
         return self._add(self.aovs, aov)
@@ -157,6 +161,7 @@ class RecordingCore:
     WorldDesc = _struct("WorldDesc")
     ImageTileDesc = _struct("ImageTileDesc")
     ImageDesc = _struct("ImageDesc")
+    GridDesc = _struct("GridDesc")
     AovDesc = _struct("AovDesc")
     CameraDesc = _struct("CameraDesc", aperture_radius=0.0)
     RenderSettings = _struct("RenderSettings", border_width=0, border_height=0)

@@ -27,6 +27,8 @@ const char* name_of(SettingKind kind) {
       return "table";
     case SettingKind::image:
       return "image";
+    case SettingKind::grid:
+      return "grid";
     case SettingKind::attribute:
       return "attribute";
     case SettingKind::aov:

@@ -69,7 +69,8 @@ void bind_instance(py::module_& module) {
       .field("terminator_cutoff", &InstanceDesc::terminator_cutoff)
       .field("generated", &InstanceDesc::generated)
       .field("instancer_uv", &InstanceDesc::instancer_uv)
-      .field("attributes", &InstanceDesc::attributes);
+      .field("attributes", &InstanceDesc::attributes)
+      .field("grids", &InstanceDesc::grids);
 }
 
 void bind_material(py::module_& module) {
@@ -134,6 +135,17 @@ void bind_image(py::module_& module) {
               &ImageDesc::alpha_mode)
       .field("is_data", &ImageDesc::is_data)
       .field("is_float", &ImageDesc::is_float);
+}
+
+void bind_grid(py::module_& module) {
+  constexpr int k_longest = 1 << 15;
+  Fields<GridDesc>(module, "GridDesc", "Values in the unit cube: (depth, height, width, channels).")
+      .field("name", &GridDesc::name)
+      .ranged("width", 1, k_longest, &GridDesc::width)
+      .ranged("height", 1, k_longest, &GridDesc::height)
+      .ranged("depth", 1, k_longest, &GridDesc::depth)
+      .ranged("channels", 1, 4, &GridDesc::channels)
+      .field("values", &GridDesc::values);
 }
 
 void bind_aov(py::module_& module) {
@@ -227,6 +239,7 @@ void bind_description(py::module_& module) {
       .def("add_world", adder(&SceneDescription::worlds), py::arg("world"),
            "The first is the scene's World; the next four are those of dreams 1..4.")
       .def("add_image", adder(&SceneDescription::images), py::arg("image"))
+      .def("add_grid", adder(&SceneDescription::grids), py::arg("grid"))
       .def("add_aov", adder(&SceneDescription::aovs), py::arg("aov"));
 }
 
@@ -239,6 +252,7 @@ void bind_scene(py::module_& module) {
   bind_light(module);
   bind_world(module);
   bind_image(module);
+  bind_grid(module);
   bind_aov(module);
   bind_camera(module);
   bind_settings(module);

@@ -74,6 +74,15 @@ void check_sizes(const ImageDesc& image) {
     if (tile.pixels) check_pixels(tile.pixels, tile.width, tile.height, "ImageTileDesc");
 }
 
+void check_sizes(const GridDesc& grid) {
+  const FieldName values{"GridDesc", "values"};
+  size_of_required(grid.values, values);
+  check_size(grid.values,
+             static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height) *
+                 static_cast<size_t>(grid.depth) * static_cast<size_t>(grid.channels),
+             values);
+}
+
 void check_pixels(const Buffer<float>& pixels, int width, int height, const char* owner) {
   if (width < 1) throw_value_error({owner, "width"}, "must be positive");
   if (height < 1) throw_value_error({owner, "height"}, "must be positive");

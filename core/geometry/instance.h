@@ -13,6 +13,8 @@
 
 namespace tenniel {
 
+class VoxelGrid;
+
 enum class MirrorEntry : uint8_t { reflection, transmission, both };
 enum class MirrorReentry : uint8_t { stay, toggle };
 
@@ -49,6 +51,8 @@ struct Instance {
   int light = -1;  // index of its mesh light; -1 = none is sampled
   // Values of `Attribute` nodes of type Object / Instancer / View Layer: 4 floats per id.
   std::vector<std::pair<int, std::array<float, 4>>> object_attributes;
+  // What a simulation left inside, in texture space, by the id of the attribute.
+  std::vector<std::pair<int, const VoxelGrid*>> grids;
 
   Transform object_to_world_at(float time) const {
     return motion.empty() ? object_to_world : place_at(motion, time);

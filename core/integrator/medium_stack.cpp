@@ -122,7 +122,8 @@ float medium_step(const Scene& scene, const MediumStack& media, WorldIndex world
     const float least = std::min({size.x, size.y, size.z});
     const float across = k_object_step * (size.x + size.y + size.z) / 3.0f;
     // At least four steps through a flat one; none is so flat that its steps have no end.
-    step = std::min(step, std::max(std::min(across, 0.25f * least), 0.01f * across));
+    step = std::min({step, std::max(std::min(across, 0.25f * least), 0.01f * across),
+                     std::max(filled->voxel, 0.01f * across)});
   }
   return step;
 }

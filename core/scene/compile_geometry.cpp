@@ -230,6 +230,15 @@ Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t ma
   return instance;
 }
 
+void add_grids(Instance& instance, const InstanceDesc& desc, const SceneCompiler& compiler) {
+  for (const int index : desc.grids) {
+    const auto i = static_cast<size_t>(index);
+    if (index < 0 || i >= compiler.scene.grids.size() || !compiler.scene.grids[i]) continue;
+    const int id = compiler.attributes.find(compiler.description.grids[i].name);
+    if (id != AttributeIds::k_none) instance.grids.emplace_back(id, compiler.scene.grids[i].get());
+  }
+}
+
 bool can_place(const InstanceDesc& desc, size_t mesh_count, Diagnostics& diagnostics) {
   if (desc.mesh < 0 || static_cast<size_t>(desc.mesh) >= mesh_count) return false;
   if (is_finite(Transform::from_rows(desc.object_to_world))) return true;
@@ -255,6 +264,7 @@ void SceneCompiler::compile_geometry() {
     if (users[mesh]++ == 0) first_user[mesh] = i;
     scene.instances.push_back(
         instance_from(desc, meshes[mesh], scene.materials.size(), attributes));
+    add_grids(scene.instances.back(), desc, *this);
     for (const auto* list : {&desc.materials, &desc.behind_materials})
       for (const int m : *list)
         if (m >= 0 && static_cast<size_t>(m) < tangents_of_material.size())

@@ -133,6 +133,10 @@ void SceneCompiler::compile_materials() {
                           const std::string& extension) {
       return textures.get(index, interpolation, extension);
     };
+    context.grid = [&](int index) -> const VoxelGrid* {
+      const auto i = static_cast<size_t>(index);
+      return index >= 0 && i < scene.grids.size() ? scene.grids[i].get() : nullptr;
+    };
     context.report = [&](const std::string& node, const std::string& text) {
       diagnostics.add({"WARNING", text, "", graph.name, node, ""});
     };

@@ -20,7 +20,35 @@ Bounds3 world_bounds(const Instance& instance, const Mesh& mesh) {
   return world;
 }
 
+// Least extent of a voxel along an axis of the texture space, in metres.
+float voxel_extent(const Instance& instance) {
+  float least = k_infinity;
+  for (const auto& [id, grid] : instance.grids) {
+    const auto& n = grid->resolution();
+    const Vec3 size = instance.texture_space_size * 2.0f;
+    const Transform& m = instance.object_to_world;
+    least = std::min({least, length(m.x) * size.x / static_cast<float>(n[0]),
+                      length(m.y) * size.y / static_cast<float>(n[1]),
+                      length(m.z) * size.z / static_cast<float>(n[2])});
+  }
+  return least > 0.0f ? least : k_infinity;
+}
+
 }  // namespace
+
+void SceneCompiler::compile_grids() {
+  for (GridDesc& desc : description.grids) {
+    const bool is_usable = desc.values && desc.width > 0 && desc.height > 0 && desc.depth > 0 &&
+                           desc.values->size() == static_cast<size_t>(desc.width) *
+                                                      static_cast<size_t>(desc.height) *
+                                                      static_cast<size_t>(desc.depth) *
+                                                      static_cast<size_t>(desc.channels);
+    scene.grids.push_back(
+        is_usable ? std::make_unique<const VoxelGrid>(
+                        desc.values, std::array{desc.width, desc.height, desc.depth}, desc.channels)
+                  : nullptr);
+  }
+}
 
 void SceneCompiler::compile_media() {
   const auto note = [&](const Material& material) {
@@ -40,7 +68,8 @@ void SceneCompiler::compile_media() {
       }
     }
     if (is_filled)
-      scene.filled_instances.push_back({i, world_bounds(instance, scene.meshes[instance.mesh])});
+      scene.filled_instances.push_back(
+          {i, world_bounds(instance, scene.meshes[instance.mesh]), voxel_extent(instance)});
   }
   for (const World& world : scene.worlds)
     note(world.material);

@@ -97,6 +97,7 @@ std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnos
     (compiler.*run)();
   };
   stage("Camera", &SceneCompiler::compile_camera);
+  stage("Grids", &SceneCompiler::compile_grids);
   stage("Compiling shaders", &SceneCompiler::compile_materials);
   stage("Building BVH", &SceneCompiler::compile_geometry);
   stage("Volumes", &SceneCompiler::compile_media);

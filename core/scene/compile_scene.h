@@ -38,6 +38,7 @@ struct SceneCompiler {
   std::vector<std::vector<std::string>> tangents_of_material;  // UV names, per material
 
   void compile_camera();
+  void compile_grids();
   void compile_materials();  // also textures
   void compile_geometry();   // meshes, instances, acceleration structure
   void compile_media();      // what is filled

@@ -95,6 +95,7 @@ struct InstanceDesc {
   std::array<float, 3> generated{0, 0, 0};  // of the instancer
   std::array<float, 2> instancer_uv{0, 0};
   std::map<std::string, std::array<float, 4>> attributes;  // for Attribute nodes off geometry
+  std::vector<int> grids;  // what fills it, each by its name as an attribute
 };
 
 struct MaterialDesc {
@@ -155,6 +156,14 @@ struct ImageDesc {
   bool is_float = false;  // of `pixels`: scene-linear, else encoded bytes in [0, 1]
 };
 
+// Values in the unit cube: of a simulation in the texture space of its domain, of a Point Density.
+struct GridDesc {
+  std::string name;
+  int width = 0, height = 0, depth = 0;
+  int channels = 1;      // floats per voxel: 1, 3 or 4
+  Buffer<float> values;  // (depth, height, width, channels)
+};
+
 // A pass that AOV Output nodes of this name write.
 struct AovDesc {
   std::string name;
@@ -211,6 +220,7 @@ struct SceneDescription {
   std::vector<LightDesc> lights;
   std::vector<WorldDesc> worlds;  // 1 to 5; a dream without its own uses the first
   std::vector<ImageDesc> images;
+  std::vector<GridDesc> grids;
   std::vector<AovDesc> aovs;
   CameraDesc camera;
   RenderSettings settings;

@@ -9,6 +9,7 @@
 #include "geometry/accel.h"
 #include "geometry/instance.h"
 #include "geometry/mesh.h"
+#include "geometry/voxel_grid.h"
 #include "image/texture.h"
 #include "lights/light.h"
 #include "lights/light_sampler.h"
@@ -28,7 +29,8 @@ struct World {
 // An object that a material with a Volume fills, in one world at least.
 struct FilledInstance {
   uint32_t instance = 0;
-  Bounds3 bounds;  // world space
+  Bounds3 bounds;            // world space
+  float voxel = k_infinity;  // metres: least extent of its grids' voxels
 };
 
 // Everything a render reads: made by `compile_scene`, immutable since, shared by all threads.
@@ -38,6 +40,7 @@ struct Scene final : RayQueries {
   std::vector<Material> materials;  // the last one is Blender's default material
   std::vector<std::unique_ptr<const Texture>> textures;
   std::vector<std::shared_ptr<const Image>> images;
+  std::vector<std::unique_ptr<const VoxelGrid>> grids;  // as in the description; null: unusable
   std::vector<Material> lamp_materials;
   std::vector<LampInfo> lamp_infos;  // of lamp_materials, index by index
   std::shared_ptr<const Accel> accel;

@@ -17,7 +17,9 @@ uint8_t surface_query(ShaderDomain domain) {
 bool is_constant(const ShaderIr& ir, uint8_t query) {
   const std::vector<ProgramStep> steps = order_steps(ir, query);
   return std::all_of(steps.begin(), steps.end(), [&ir](const ProgramStep& step) {
-    return step.node >= 0 && ir.at(step.node).type->is_closure();
+    if (step.node < 0) return false;
+    const IrNode& node = ir.at(step.node);
+    return node.type->is_closure() && !(node.type->varies && node.type->varies(node.data.get()));
   });
 }
 

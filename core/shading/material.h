@@ -16,6 +16,7 @@ namespace tenniel {
 
 class NodeRegistry;
 class Texture;
+class VoxelGrid;
 
 enum class DisplacementMethod : uint8_t { bump, displacement, both };
 
@@ -66,6 +67,7 @@ struct CompileContext {
   std::function<const Texture*(int index, const std::string& interpolation,
                                const std::string& extension)>
       texture;
+  std::function<const VoxelGrid*(int index)> grid;  // null where there is none
   // Reports something that cannot be honoured: the node's name and a sentence.
   std::function<void(const std::string& node, const std::string& text)> report;
   const NodeRegistry* registry = nullptr;  // null: node_registry()

@@ -22,6 +22,7 @@ namespace tenniel {
 
 class Program;
 class Texture;
+class VoxelGrid;
 
 // An input that the node evaluates itself, as often and where it likes (bump: at three points).
 // `result` is a constant, or the register that `program` writes; null program: the constant.
@@ -48,6 +49,10 @@ enum class ImplicitInput : uint8_t {
 struct ImageSlot {
   int image = -1;                    // index into SceneDescription::images
   const Texture* texture = nullptr;  // set by the compiler; null: missing, shown magenta
+};
+struct GridSlot {
+  int index = -1;                   // into SceneDescription::grids
+  const VoxelGrid* grid = nullptr;  // set by the compiler; null: there is nothing
 };
 struct AttributeSlot {
   std::string name;
@@ -83,6 +88,7 @@ enum class SettingKind : uint8_t {
   text,
   table,
   image,
+  grid,
   attribute,
   aov
 };
@@ -117,6 +123,8 @@ struct NodeType {
   void (*prepare)(void* node) = nullptr;
   // Whether this closure, as it is set, may take light below the surface; null: never.
   bool (*has_subsurface)(const void* node) = nullptr;
+  // Whether this closure, as it is set, reads more than its inputs; null: never.
+  bool (*varies)(const void* node) = nullptr;
   // A sun that this texture shows where it is asked for plain directions; null: never.
   std::optional<SunDisk> (*sun_disk)(const void* node) = nullptr;
   InputInfo closure_weight;  // of a closure: its Input<float> weight, set by the compiler
@@ -136,8 +144,8 @@ struct NodeType {
 // and `uint8_t closure_parts() const`. Nodes that only direct closures (Mix Shader, outputs) have
 // no eval: the compiler takes them apart. A closure node's eval adds only the parts that
 // ShadingContext::query asks for, each scaled by `weight`. `const char* note() const`,
-// `bool has_subsurface() const`, `void prepare()` and `std::optional<SunDisk> sun_disk() const` are
-// optional.
+// `bool has_subsurface() const`, `bool varies() const`, `void prepare()` and
+// `std::optional<SunDisk> sun_disk() const` are optional.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -191,6 +199,9 @@ class NodeTypeBuilder {
   }
   NodeTypeBuilder& setting(std::string name, ImageSlot Node::*member) {
     return plain(std::move(name), SettingKind::image, offset_of(member));
+  }
+  NodeTypeBuilder& setting(std::string name, GridSlot Node::*member) {
+    return plain(std::move(name), SettingKind::grid, offset_of(member));
   }
   NodeTypeBuilder& setting(std::string name, AovSlot Node::*member) {
     return plain(std::move(name), SettingKind::aov, offset_of(member));
@@ -267,6 +278,8 @@ class NodeRegistry {
       type.has_subsurface = [](const void* node) {
         return static_cast<const Node*>(node)->has_subsurface();
       };
+    if constexpr (requires(const Node& node) { node.varies(); })
+      type.varies = [](const void* node) { return static_cast<const Node*>(node)->varies(); };
     if constexpr (requires(Node & node) { node.prepare(); })
       type.prepare = [](void* node) { static_cast<Node*>(node)->prepare(); };
     if constexpr (requires(const Node& node) { node.sun_disk(); })

@@ -89,6 +89,10 @@ bool assign(void* node, const SettingInfo& setting, const SettingValue& value) {
       if (const auto* index = std::get_if<int>(&value))
         return member<ImageSlot>(node, setting).image = *index, true;
       return false;
+    case SettingKind::grid:
+      if (const auto* index = std::get_if<int>(&value))
+        return member<GridSlot>(node, setting).index = *index, true;
+      return false;
     case SettingKind::attribute:
       if (const auto* name = std::get_if<std::string>(&value))
         return member<AttributeSlot>(node, setting).name = *name, true;
@@ -122,6 +126,9 @@ void resolve_slots(IrNode& node, const GraphNode& from, const CompileContext& co
       if (slot.image >= 0 && context.texture)
         slot.texture = context.texture(slot.image, text_setting(from, "interpolation", "Linear"),
                                        text_setting(from, "extension", "REPEAT"));
+    } else if (setting.kind == SettingKind::grid && context.grid) {
+      auto& slot = member<GridSlot>(node.data.get(), setting);
+      slot.grid = context.grid(slot.index);
     } else if (setting.kind == SettingKind::aov && context.aovs) {
       auto& slot = member<AovSlot>(node.data.get(), setting);
       const AovPass* pass = find_aov(*context.aovs, slot.name);

@@ -12,6 +12,7 @@ import bpy
 from .. import mirror_tags
 from . import material as materials
 from .context import CAMERA_BIT, GENERATED, Cancelled, matrix_rows, ray_kinds, world_bits
+from .grids import export_smoke, gas_domain, has_smoke
 from .hair import export_curves, export_hair_system, export_points, hair_systems
 from .light import export_light
 from .mesh import NO_MESH, export_mesh
@@ -21,7 +22,8 @@ from .settings import hash_string, hash_uint2
 _UINT_MAX = 0xffffffff
 
 _NOT_RENDERED = {
-    'VOLUME': "Volumes are not rendered",
+    'VOLUME': "Volumes from OpenVDB files are not rendered: Blender's Python does not give "
+              "their voxels",
 }
 
 # Data-blocks of hair and points; versions before 3.4 may lack them.
@@ -43,12 +45,6 @@ _OBJECTS_PER_BREAK_TEST = 64
 
 # A dream may hold hundreds of objects: these many are named one by one.
 _MAX_UNSEEN_ROWS = 8
-
-
-def _is_smoke(obj):
-    """Whether the object is the domain of a gas simulation: its mesh is but the box around it."""
-    return any(m.type == 'FLUID' and m.fluid_type == 'DOMAIN' and m.show_render
-               and m.domain_settings.domain_type == 'GAS' for m in obj.modifiers)
 
 
 class _Template(NamedTuple):
@@ -176,9 +172,11 @@ class _Walker:
 
     def _mesh(self, obj, tags, front, behind):
         """Index of the mesh of an object, or NO_MESH."""
-        if _is_smoke(obj):
+        domain = gas_domain(obj)
+        if domain is not None and not has_smoke(self._context, domain):
             # Its box filled with the same density all over would hide what lies in it.
-            self._report_once(obj.name, "Simulated smoke and fire are not rendered")
+            self._report_once(obj.name, "The simulation of this smoke or fire has nothing at this "
+                              "frame: bake it, or play it from its first frame")
             return NO_MESH
         names = _attribute_names(front, behind)
         original = self._original_mesh(obj)
@@ -215,6 +213,9 @@ class _Walker:
         desc.materials = [item.index for item in front]
         if behind != front:
             desc.behind_materials = [item.index for item in behind]
+        domain = gas_domain(obj)
+        if domain is not None:
+            desc.grids = export_smoke(context, domain, _attribute_names(front, behind))
         desc.color = tuple(obj.color)
         desc.pass_index = obj.pass_index
         desc.is_holdout = self._layer_flag(instance, obj, 'holdout_get')

@@ -12,6 +12,7 @@ import bpy
 from mathutils import Matrix
 
 from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND, POINTINESS, matrix_rows
+from .grids import SMOKE_ATTRIBUTES, export_point_density, has_gas_domain
 from .image import export_image
 
 # Entries of ramp and curve tables, as in Cycles.
@@ -239,6 +240,32 @@ def _attribute(_context, node, needs, _report):
     return {'attribute_name': name}
 
 
+def _principled_volume(context, node, needs, _report):
+    """Names of grids only where there are any: without them most volumes are the same all over."""
+    if not has_gas_domain(context):
+        return {}
+    settings = {}
+    for kind in ('Density', 'Color', 'Temperature'):
+        name = node.inputs[f'{kind} Attribute'].default_value
+        if name in SMOKE_ATTRIBUTES:
+            needs.attributes.add(name)
+            settings[f'{kind.lower()}_attribute'] = name
+    return settings
+
+
+def _volume_info(_context, _node, needs, _report):
+    needs.attributes.update(('color', 'density', 'flame', 'temperature'))
+    return {}
+
+
+def _point_density(context, node, _needs, report):
+    exported = export_point_density(context, node)
+    if exported is None:
+        report("There are no points to show the density of")
+        return {}
+    return dict(zip(('grid', 'to_grid'), exported))
+
+
 _READERS = {
     'ShaderNodeTexImage': _image,
     'ShaderNodeTexEnvironment': _image,
@@ -257,4 +284,7 @@ _READERS = {
     'ShaderNodeTangent': _tangent,
     'ShaderNodeVertexColor': _color_attribute,
     'ShaderNodeAttribute': _attribute,
+    'ShaderNodeVolumePrincipled': _principled_volume,
+    'ShaderNodeVolumeInfo': _volume_info,
+    'ShaderNodeTexPointDensity': _point_density,
 }

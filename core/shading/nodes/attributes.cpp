@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/nodes/attributes.h"
 
+#include "geometry/voxel_grid.h"
 #include "math/numeric.h"
 #include "shading/node_type.h"
 #include "shading/nodes/attribute_names.h"
@@ -22,6 +23,22 @@ std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& con
   if (!instance) return std::nullopt;
   for (const auto& [attribute, value] : instance->object_attributes)
     if (attribute == id) return value;
+  return std::nullopt;
+}
+
+std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id) {
+  const SurfaceInteraction& at = context.surface;
+  if (at.mesh || !at.instance) return std::nullopt;
+  for (const auto& [attribute, grid] : at.instance->grids) {
+    if (attribute != id) continue;
+    const Vec3 p = texture_space_coordinate(*at.instance, at.world_to_object().point(at.position));
+    std::array<float, 4> value = grid->lookup(p, GridFilter::linear);
+    const float alpha = value[3];
+    if (alpha > 1e-6f && alpha != 1.0f)
+      for (size_t c = 0; c < 3; ++c)
+        value[c] /= alpha;
+    return value;
+  }
   return std::nullopt;
 }
 
@@ -65,8 +82,10 @@ struct AttributeNode {
   Rgba value(const ShadingContext& context) const {
     if (const auto mirror = mirror_attribute(attribute.name, context.path.world))
       return {*mirror, *mirror, *mirror, 1.0f};
-    if (type == AttributeType::geometry)
+    if (type == AttributeType::geometry) {
+      if (const auto voxel = grid_attribute(context, attribute.id)) return *voxel;
       return mesh_attribute(context, attribute.id).value_or(Rgba{0.0f, 0.0f, 0.0f, 1.0f});
+    }
     return instance_attribute(context, attribute.id).value_or(Rgba{});
   }
 

@@ -17,6 +17,10 @@ std::optional<std::array<float, 4>> mesh_attribute(const ShadingContext& context
 // The attribute `id` that this instance was given.
 std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& context, int id);
 
+// What the simulation in this instance left at the point: a colour is divided by its alpha. Empty
+// on surfaces and where there is no such grid.
+std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id);
+
 // UV of the attribute `id`, or (0, 0, 0).
 Vec3 uv_attribute(const ShadingContext& context, int id);
 

@@ -2,10 +2,15 @@
 #include "shading/nodes/volumes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
+#include "geometry/voxel_grid.h"
 #include "math/numeric.h"
+#include "shading/nodes/attributes.h"
 #include "shading/nodes/blackbody.h"
+#include "shading/nodes/coordinates.h"
 #include "shading/nodes/register.h"
 
 namespace tenniel {
@@ -32,15 +37,33 @@ Spectrum root(Spectrum color) {
   return {safe_sqrt(color.r), safe_sqrt(color.g), safe_sqrt(color.b)};
 }
 
-// What a simulation would store in each voxel: a mesh has none of it.
+// What the grid of that name holds, if the slot names one and the object has it.
+std::optional<std::array<float, 4>> voxel(const ShadingContext& context,
+                                          const AttributeSlot& slot) {
+  if (slot.name.empty()) return std::nullopt;
+  return grid_attribute(context, slot.id);
+}
+
+// What a simulation stored in each voxel; nothing where there is none.
 struct VolumeInfoNode {
   Output<Spectrum> color;
   Output<float> density, flame, temperature;
+  AttributeSlot color_grid{"color"}, density_grid{"density"}, flame_grid{"flame"},
+      temperature_grid{"temperature"};
+
   void eval(ShadingContext& context) const {
-    context.set(color, Spectrum());
-    context.set(density, 0.0f);
-    context.set(flame, 0.0f);
-    context.set(temperature, 0.0f);
+    if (color.used()) {
+      const auto v = voxel(context, color_grid).value_or(VoxelGrid::Rgba{});
+      context.set(color, {v[0], v[1], v[2]});
+    }
+    read(context, density, density_grid);
+    read(context, flame, flame_grid);
+    read(context, temperature, temperature_grid);
+  }
+
+  static void read(ShadingContext& context, const Output<float>& output,
+                   const AttributeSlot& slot) {
+    if (output.used()) context.set(output, voxel(context, slot).value_or(VoxelGrid::Rgba{})[0]);
   }
 };
 
@@ -65,9 +88,13 @@ uint8_t VolumeScatterNode::closure_parts() const {
 }
 
 void PrincipledVolumeNode::eval(ShadingContext& context) const {
-  const float d = usable_density(context, density) * context.get(weight);
+  float d = usable_density(context, density);
+  if (const auto v = voxel(context, density_attribute)) d = std::max(d * (*v)[0], 0.0f);
+  d *= context.get(weight);
   if (d > k_cutoff) {
-    const Spectrum scattered = context.get(color);
+    Spectrum scattered = context.get(color);
+    if (const auto v = voxel(context, color_attribute))
+      scattered *= Spectrum((*v)[0], (*v)[1], (*v)[2]);
     const Spectrum absorbed =
         complement(scattered) * complement(root(context.get(absorption_color)));
     context.medium.add_scattering(scattered * d, context.get(anisotropy));
@@ -84,7 +111,8 @@ Spectrum PrincipledVolumeNode::glow(const ShadingContext& context) const {
   if (!(blackbody > k_cutoff)) return sum;
   // Stefan and Boltzmann's law, in a unit that suits flames.
   constexpr float k_sigma = 5.670373e-8f * 1e-6f * k_inv_pi;
-  const float kelvin = std::max(context.get(temperature), 0.0f);
+  float kelvin = std::max(context.get(temperature), 0.0f);
+  if (const auto v = voxel(context, temperature_attribute)) kelvin *= std::max((*v)[0], 0.0f);
   const float intensity = k_sigma * lerp(1.0f, sqr(sqr(kelvin)), blackbody);
   if (intensity > k_cutoff)
     sum += blackbody_color(kelvin) * context.get(blackbody_tint) * intensity;
@@ -97,6 +125,45 @@ uint8_t PrincipledVolumeNode::closure_parts() const {
   return static_cast<uint8_t>((may_be_dense(density) ? k_query_volume : 0) |
                               (glows ? k_query_emission : 0));
 }
+
+bool PrincipledVolumeNode::varies() const {
+  return !density_attribute.name.empty() || !color_attribute.name.empty() ||
+         !temperature_attribute.name.empty();
+}
+
+namespace {
+
+enum class DensitySpace : uint8_t { object, world };
+
+// Points as Blender has spread them over a grid.
+struct PointDensityNode {
+  Input<Vec3> vector;
+  Output<Spectrum> color;
+  Output<float> density;
+  GridSlot grid;
+  std::vector<float> to_grid;  // 12 floats: from world space to the grid's
+  DensitySpace space = DensitySpace::object;
+  GridFilter filter = GridFilter::linear;
+
+  void eval(ShadingContext& context) const {
+    const Vec3 p = vector.linked() ? context.get(vector) : context.surface.position;
+    const VoxelGrid::Rgba v =
+        grid.grid ? grid.grid->lookup(place(context, p), filter) : VoxelGrid::Rgba{};
+    context.set(color, {v[0], v[1], v[2]});
+    context.set(density, v[3]);
+  }
+
+  // Object space is that of the shaded object: in volumes its texture space.
+  Vec3 place(const ShadingContext& context, Vec3 p) const {
+    const SurfaceInteraction& at = context.surface;
+    if (space == DensitySpace::world) return apply_texture_mapping(to_grid, p);
+    if (!at.instance) return p;
+    p = at.world_to_object().point(p);
+    return at.mesh ? p : texture_space_coordinate(*at.instance, p);
+  }
+};
+
+}  // namespace
 
 void register_volume_nodes(NodeRegistry& registry) {
   registry.add<VolumeAbsorptionNode>("ShaderNodeVolumeAbsorption")
@@ -120,13 +187,34 @@ void register_volume_nodes(NodeRegistry& registry) {
       .input("Blackbody Intensity", &PrincipledVolumeNode::blackbody_intensity)
       .input("Blackbody Tint", &PrincipledVolumeNode::blackbody_tint)
       .input("Temperature", &PrincipledVolumeNode::temperature)
+      .setting("density_attribute", &PrincipledVolumeNode::density_attribute)
+      .setting("color_attribute", &PrincipledVolumeNode::color_attribute)
+      .setting("temperature_attribute", &PrincipledVolumeNode::temperature_attribute)
       .closure_output("Volume")
       .closure();
   registry.add<VolumeInfoNode>("ShaderNodeVolumeInfo")
       .output("Color", &VolumeInfoNode::color)
       .output("Density", &VolumeInfoNode::density)
       .output("Flame", &VolumeInfoNode::flame)
-      .output("Temperature", &VolumeInfoNode::temperature);
+      .output("Temperature", &VolumeInfoNode::temperature)
+      .setting("color_grid", &VolumeInfoNode::color_grid)
+      .setting("density_grid", &VolumeInfoNode::density_grid)
+      .setting("flame_grid", &VolumeInfoNode::flame_grid)
+      .setting("temperature_grid", &VolumeInfoNode::temperature_grid)
+      .varying();
+  registry.add<PointDensityNode>("ShaderNodeTexPointDensity")
+      .input("Vector", &PointDensityNode::vector)
+      .output("Color", &PointDensityNode::color)
+      .output("Density", &PointDensityNode::density)
+      .setting("grid", &PointDensityNode::grid)
+      .setting("to_grid", &PointDensityNode::to_grid)
+      .choice("space", &PointDensityNode::space,
+              {{"OBJECT", DensitySpace::object}, {"WORLD", DensitySpace::world}})
+      .choice("interpolation", &PointDensityNode::filter,
+              {{"Linear", GridFilter::linear},
+               {"Closest", GridFilter::closest},
+               {"Cubic", GridFilter::cubic}})
+      .varying();
 }
 
 }  // namespace tenniel

@@ -23,15 +23,17 @@ struct VolumeScatterNode {
   uint8_t closure_parts() const;
 };
 
-// Grids of a simulation are not read: density and temperature are what the sockets say.
+// Grids of a simulation scale what the sockets say; only the exporter names any.
 struct PrincipledVolumeNode {
   Input<float> weight;
   Input<Spectrum> color{Spectrum(0.5f)}, absorption_color;
   Input<float> density{1.0f}, anisotropy;
   Input<float> emission_strength, blackbody_intensity, temperature{1000.0f};
   Input<Spectrum> emission_color{Spectrum(1.0f)}, blackbody_tint{Spectrum(1.0f)};
+  AttributeSlot density_attribute, color_attribute, temperature_attribute;
   void eval(ShadingContext& context) const;
   uint8_t closure_parts() const;
+  bool varies() const;
 
  private:
   Spectrum glow(const ShadingContext& context) const;

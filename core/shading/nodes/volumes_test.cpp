@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "geometry/voxel_grid.h"
 #include "shading/nodes/test_surface.h"
 #include "shading/test_graph.h"
 
@@ -107,6 +108,49 @@ TEST(VolumeNodes, DensityMayVaryOverSpace) {
   context.reserve(test.material.volume.register_count());
   context.surface.position = {0.0f, 3.0f, 4.0f};
   expect_near(test.material.evaluate_volume(context).sigma_s, Spectrum(5.0f));
+}
+
+// An instance that fills [-1, 1]^3 with one voxel.
+class Voxel {
+ public:
+  Voxel(std::vector<float> value, AttributeIds& ids, const char* name)
+      : grid_(std::make_shared<std::vector<float>>(value), {1, 1, 1},
+              static_cast<int>(value.size())) {
+    instance_.grids.emplace_back(ids.intern(name), &grid_);
+  }
+  MediumProperties at(Vec3 position, const Material& material) const {
+    ShadingContext context;
+    context.reserve(material.volume.register_count());
+    context.surface.instance = &instance_;
+    context.surface.position = position;
+    return material.evaluate_volume(context);
+  }
+  const VoxelGrid& grid() const { return grid_; }
+
+ private:
+  VoxelGrid grid_;
+  Instance instance_;
+};
+
+TEST(VolumeNodes, PrincipledIsScaledByItsGrid) {
+  TestMaterial test(
+      "out: ShaderNodeOutputMaterial Volume<v.Volume\n"
+      "v: ShaderNodeVolumePrincipled Color=1,1,1,1 Density=2 @density_attribute=density\n");
+  EXPECT_FALSE(test.material.is_volume_constant);
+  const Voxel voxel({0.25f}, test.attributes, "density");
+  expect_near(voxel.at({0.5f, 0.5f, -0.5f}, test.material).sigma_s, Spectrum(0.5f));
+  expect_near(voxel.at({0.5f, 0.5f, 1.5f}, test.material).sigma_s, Spectrum(0.0f));
+  const Voxel other({0.25f}, test.attributes, "flame");
+  expect_near(other.at({}, test.material).sigma_s, Spectrum(2.0f));
+}
+
+TEST(VolumeNodes, InfoDividesColorByItsAlpha) {
+  TestMaterial test(
+      "out: ShaderNodeOutputMaterial Volume<e.Emission\n"
+      "e: ShaderNodeEmission Color<i.Color Strength=1\n"
+      "i: ShaderNodeVolumeInfo\n");
+  const Voxel voxel({0.1f, 0.2f, 0.4f, 0.5f}, test.attributes, "color");
+  expect_near(voxel.at({}, test.material).emission, {0.2f, 0.4f, 0.8f});
 }
 
 }  // namespace
