@@ -101,14 +101,14 @@ struct Convert<std::string> {
   static py::str to_python(const std::string& value) { return text_to_python(value); }
 };
 
-template <size_t N>
-struct Convert<std::array<float, N>> {
-  static std::array<float, N> from_python(py::handle value, FieldName field) {
-    std::array<float, N> result;
+template <size_t n>
+struct Convert<std::array<float, n>> {
+  static std::array<float, n> from_python(py::handle value, FieldName field) {
+    std::array<float, n> result;
     floats_from_python(value, field, result);
     return result;
   }
-  static py::tuple to_python(const std::array<float, N>& value) { return floats_to_python(value); }
+  static py::tuple to_python(const std::array<float, n>& value) { return floats_to_python(value); }
 };
 
 template <>
@@ -127,9 +127,9 @@ struct Convert<std::vector<int>> {
   }
 };
 
-template <size_t N>
-struct Convert<std::vector<std::array<float, N>>> {
-  using Item = std::array<float, N>;
+template <size_t n>
+struct Convert<std::vector<std::array<float, n>>> {
+  using Item = std::array<float, n>;
   static std::vector<Item> from_python(py::handle value, FieldName field) {
     std::vector<Item> result;
     for (const py::handle item : items_from_python(value, field, "a sequence of sequences"))
@@ -163,9 +163,9 @@ struct Convert<std::vector<T>> {
   }
 };
 
-template <size_t N>
-struct Convert<std::map<std::string, std::array<float, N>>> {
-  using Map = std::map<std::string, std::array<float, N>>;
+template <size_t n>
+struct Convert<std::map<std::string, std::array<float, n>>> {
+  using Map = std::map<std::string, std::array<float, n>>;
   static Map from_python(py::handle value, FieldName field) {
     if (!py::isinstance<py::dict>(value)) throw_type_error(field, "a dict", value);
     Map result;

@@ -19,6 +19,7 @@ PYBIND11_MODULE(TENNIEL_MODULE, module) {
   module.attr("embree_version") = Accel::embree_version();
   module.attr("oiio_version") = oiio_version();
 
+  // NOLINTNEXTLINE: pybind11 fixes the type of the parameter.
   py::register_local_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);

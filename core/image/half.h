@@ -19,7 +19,8 @@ inline float half_to_float(uint16_t h) {
 }
 // Rounds to nearest even; beyond 65504 becomes infinite.
 inline uint16_t float_to_half(float x) {
-  return static_cast<uint16_t>(_cvtss_sh(x, _MM_FROUND_TO_NEAREST_INT));
+  return static_cast<uint16_t>(
+      _mm_cvtsi128_si32(_mm_cvtps_ph(_mm_set_ss(x), _MM_FROUND_TO_NEAREST_INT)));
 }
 
 #else

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "image/colorspace.h"
 #include "image/pixel_format.h"
@@ -179,7 +180,7 @@ Texture::Filter Texture::choose_filter(const Image& image, Interpolation interpo
 Texture::Texture(std::shared_ptr<const Image> image, Interpolation interpolation,
                  Extension extension)
     : extension_(extension) {
-  add(image, interpolation);
+  add(std::move(image), interpolation);
 }
 
 Texture::Texture(const std::map<int, std::shared_ptr<const Image>>& tiles,
@@ -194,8 +195,9 @@ Texture::Texture(const std::map<int, std::shared_ptr<const Image>>& tiles,
   }
 }
 
-void Texture::add(const std::shared_ptr<const Image>& image, Interpolation interpolation) {
-  sources_.push_back({image, choose_filter(*image, interpolation)});
+void Texture::add(std::shared_ptr<const Image> image, Interpolation interpolation) {
+  const Filter filter = choose_filter(*image, interpolation);
+  sources_.push_back({std::move(image), filter});
 }
 
 Texture::Rgba Texture::lookup(Vec2 uv, bool straight) const {

@@ -43,7 +43,7 @@ class Texture {
     std::shared_ptr<const Image> image;
     Filter filter = nullptr;
   };
-  void add(const std::shared_ptr<const Image>& image, Interpolation interpolation);
+  void add(std::shared_ptr<const Image> image, Interpolation interpolation);
   static Filter choose_filter(const Image& image, Interpolation interpolation);
 
   std::vector<Source> sources_;

@@ -205,6 +205,7 @@ int RenderSession::height() const {
 
 std::vector<std::string> RenderSession::pass_names() const {
   std::vector<std::string> names;
+  names.reserve(k_passes.size() + (state_ ? state_->aovs.size() : 0));
   for (const PassInfo& pass : k_passes)
     names.emplace_back(pass.name);
   if (state_)

@@ -196,7 +196,8 @@ EnvironmentLight SceneCompiler::baked_environment(WorldIndex w, ShadingContext& 
 // same share the map. One that is the same in all directions is met best by chance: a light sample
 // would take the place of one of a lamp. Measured under a sun and a grey world: 1/38 of the noise.
 void SceneCompiler::compile_environments(ShadingContext& context) {
-  for (WorldIndex w = 0; w < worlds_in_use(); ++w) {
+  const auto worlds = static_cast<WorldIndex>(worlds_in_use());
+  for (WorldIndex w = 0; w < worlds; ++w) {
     World& world = scene.worlds[w];
     const WorldDesc& desc = world_desc(w);
     const bool is_sampled = desc.sampling != "NONE" && !world.material.is_emission_constant;

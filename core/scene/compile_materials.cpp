@@ -116,6 +116,7 @@ DisplacementMethod displacement_of(const std::string& name) {
 
 std::vector<AovPass> layout_aovs(const std::vector<AovDesc>& descriptions) {
   std::vector<AovPass> passes;
+  passes.reserve(descriptions.size());
   for (const AovDesc& desc : descriptions)
     passes.push_back({desc.name, desc.is_color, aov_channels(passes)});
   return passes;

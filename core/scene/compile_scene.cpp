@@ -31,6 +31,7 @@ Vec2 window_of(const void* camera, Vec3 world_point) {
 std::vector<Transform> motion_from(const std::vector<Matrix34>& steps) {
   constexpr size_t k_max_steps = 129;
   std::vector<Transform> motion;
+  motion.reserve(steps.size());
   for (const Matrix34& step : steps)
     motion.push_back(Transform::from_rows(step));
   const auto finite = [](const Transform& t) { return is_finite(t); };
