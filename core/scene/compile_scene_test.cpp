@@ -138,19 +138,6 @@ TEST(CompileScene, EmissiveMeshesBecomeLightsUnlessTheMaterialSaysNo) {
   EXPECT_FLOAT_EQ(c.scene->lights[0].as<MeshLight>()->power(), 8.0f);
 }
 
-TEST(CompileScene, DreamsHaveLightsOfTheirOwnOnlyWhereTheyCanBeReached) {
-  SceneBuilder b;
-  b.world(1.0f).dream_world(2.0f);
-  b.object(square(), mirror());
-  EXPECT_EQ(compile(b.scene).scene->lights.size(), 1u);
-  b.scene.instances[0].looking_glass.dream = 1;
-  const Compiled c = compile(b.scene);
-  EXPECT_TRUE(c.scene->has_looking_glasses);
-  EXPECT_EQ(c.scene->lights.size(), static_cast<size_t>(k_world_count));
-  EXPECT_FLOAT_EQ(c.scene->worlds[1].material.constant_emission.r, 2.0f);
-  EXPECT_FLOAT_EQ(c.scene->worlds[3].material.constant_emission.r, 1.0f);
-}
-
 // A world whose light is not the same in all directions; it may ask which world it is in.
 NodeGraph patterned_world(const char* asks_for) {
   GraphBuilder g("sky", "ShaderNodeOutputWorld");
@@ -163,6 +150,27 @@ NodeGraph patterned_world(const char* asks_for) {
     g.link(attribute, "Fac", back, "Strength");
   }
   return g.build();
+}
+
+TEST(CompileScene, DreamsHaveLightsOfTheirOwnOnlyWhereTheyCanBeReached) {
+  SceneBuilder b;
+  b.scene.worlds[0].graph = patterned_world(nullptr);
+  b.dream_world(2.0f).scene.worlds[1].graph = patterned_world("dream");
+  b.object(square(), mirror());
+  EXPECT_EQ(compile(b.scene).scene->lights.size(), 1u);
+  b.scene.instances[0].looking_glass.dream = 1;
+  const Compiled c = compile(b.scene);
+  EXPECT_TRUE(c.scene->has_looking_glasses);
+  EXPECT_EQ(c.scene->lights.size(), static_cast<size_t>(k_world_count));
+}
+
+TEST(CompileScene, ADreamWithoutAWorldOfItsOwnHasThatOfThisSide) {
+  SceneBuilder b;
+  b.world(1.0f).dream_world(2.0f);
+  b.object(square(), mirror()).looking_glass.dream = 1;
+  const Compiled c = compile(b.scene);
+  EXPECT_FLOAT_EQ(c.scene->worlds[1].material.constant_emission.r, 2.0f);
+  EXPECT_FLOAT_EQ(c.scene->worlds[3].material.constant_emission.r, 1.0f);
 }
 
 TEST(CompileScene, AWorldThatIsTheSameEverywhereIsNoLightToSample) {
