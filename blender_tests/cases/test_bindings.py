@@ -26,7 +26,7 @@ class ModuleTest(unittest.TestCase):
 
     def test_node_types_are_those_of_blender(self):
         kinds = {'boolean', 'integer', 'number', 'choice', 'text', 'table', 'image', 'attribute',
-                 'aov'}
+                 'aov', 'grid'}
         types = core.node_types()
         self.assertIn('ShaderNodeBsdfDiffuse', types)
         for idname, info in types.items():

@@ -47,6 +47,7 @@ struct Hairs {
 Hairs straight(float radius) {
   Hairs hairs;
   std::vector<StrandKey> keys;
+  keys.reserve(5);
   for (int i = 0; i < 5; ++i)
     keys.push_back({{0.0f, 0.0f, -1.0f + 0.5f * static_cast<float>(i)}, radius});
   hairs.add(keys);

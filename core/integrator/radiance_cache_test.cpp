@@ -13,8 +13,10 @@ constexpr Vec3 k_up{0.0f, 0.0f, 1.0f};
 
 // Fills a 10 m cube with records whose radiance depends on the half of space, the side, the world.
 std::vector<RadianceRecord> room_of_records() {
+  constexpr int k_places = 80000;
   std::vector<RadianceRecord> records;
-  for (int i = 0; i < 80000; ++i) {
+  records.reserve(3 * k_places);
+  for (int i = 0; i < k_places; ++i) {
     const Vec3 p{static_cast<float>(i % 100) / 10.0f, static_cast<float>(i / 100 % 80) / 8.0f,
                  static_cast<float>(i / 8000)};
     const float value = (p.x < 5.0f ? 1.0f : 3.0f) * ((i + i / 100) % 2 ? 0.5f : 1.5f);
