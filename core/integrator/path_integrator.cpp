@@ -8,7 +8,6 @@
 #include "integrator/media_transmittance.h"
 #include "integrator/mirror.h"
 #include "integrator/path_state.h"
-#include "integrator/roulette.h"
 #include "integrator/subsurface.h"
 #include "integrator/volume_walk.h"
 
@@ -45,8 +44,7 @@ class PathTracer {
   bool apply_holdout(const SurfaceInteraction& at);
   void record_first_surface(const SurfaceInteraction& at);
   bool survives(float u);
-  bool survives_arrival(const SurfaceInteraction& at);
-  bool survives_deferred();
+  bool survives_bounce(const SurfaceInteraction& at, const BsdfSample& sample);
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
   bool scatter_below(const SurfaceInteraction& at, const BsdfSample& sample);
@@ -66,8 +64,6 @@ class PathTracer {
   VertexNumbers numbers_{};
   SampleResult result_;
   bool is_recorded_ = false;
-  bool is_roulette_due_ = false;  // that of the last bounce is played at the next surface
-  float worthwhile_ = 0.0f;       // change of the pixel that is worth a ray; 0: not yet known
 };
 
 bool PathTracer::start(Vec2 raster) {
@@ -118,7 +114,6 @@ SampleResult PathTracer::trace(Vec2 raster) {
     const WorldGroups groups = world_groups(at.instance->looking_glass, state_);
     const ShadingPoint point{at.position, at.shading_normal,
                              !bsdf.smooth_lobes().has(LobeClass::transmission)};
-    if (!state_.ends_after_transparent && !survives_arrival(at)) break;
     add_direct_light(groups, point);
     if (!bounce(at, groups, point)) break;
   }
@@ -255,7 +250,6 @@ void PathTracer::record_first_surface(const SurfaceInteraction& at) {
 
 // Decided before the ray is traced: a path that ends costs no ray more.
 bool PathTracer::survives(float u) {
-  is_roulette_due_ = false;
   const float probability = survival_probability(state_, settings_);
   if (probability >= 1.0f) return true;
   if (u >= probability) return false;
@@ -263,49 +257,26 @@ bool PathTracer::survives(float u) {
   return true;
 }
 
-// Whether a surface sends light back much as a diffuse one of its albedo.
-bool is_mostly_diffuse(const Bsdf& bsdf) {
-  const LobeSet diffuse = LobeSet::of(LobeClass::diffuse);
-  const LobeSet lobes = bsdf.lobes();
-  if (lobes.bits == diffuse.bits) return true;
-  if (!lobes.has(LobeClass::diffuse) || lobes.has(LobeClass::transmission) ||
-      lobes.has(LobeClass::transparent))
-    return false;
-  return mean(bsdf.albedo(diffuse)) >= 0.5f * mean(bsdf.albedo());
-}
-
-// Played where a path meets a surface, before any light is sampled there: what a diffuse surface
-// sends back may be known.
-bool PathTracer::survives_arrival(const SurfaceInteraction& at) {
-  const Bsdf& bsdf = worker_.surface.bsdf;
-  if (!is_mostly_diffuse(bsdf)) return survives_deferred();
-  const Spectrum throughput = state_.throughput * bsdf.albedo();
-  const Vec3 side = at.geometric_normal;
-  if (worker_.recorder)
-    worker_.recorder->diffuse_surface({at.position, side, state_.info.world, {}}, throughput,
-                                      result_.radiance);
-  const CachedRadiance* known =
-      cache_ ? cache_->find(at.position, side, state_.info.world) : nullptr;
-  if (!known) return survives_deferred();
-
-  is_roulette_due_ = false;
-  const Spectrum expected = throughput * known->mean;
-  if (!(worthwhile_ > 0.0f))
-    worthwhile_ = worthwhile_change(result_.radiance + expected, cache_->picture_mean());
-  if (state_.info.ray_depth <= settings_.min_light_bounces) return true;
-  const float probability =
-      roulette_probability(max_component(throughput) * known->deviation, worthwhile_,
-                           k_least_share * survival_probability(state_, settings_));
-  if (probability >= 1.0f) return true;
-  const bool survives = numbers_.arrival < probability;
-  add_to_pixel(survives ? expected * (1.0f - 1.0f / probability) : expected, state_.has_entered);
-  if (survives) state_.throughput *= 1.0f / probability;
-  return survives;
-}
-
-// The roulette of the last bounce, where it was left for later.
-bool PathTracer::survives_deferred() {
-  return !is_roulette_due_ || survives(numbers_.arrival);
+// The same after a bounce whose worth may be known. A path expected to bring C goes on with
+// probability p and brings C + (X - C) / p; otherwise it brings C. The mean is that of X whatever C
+// is, and the noise of the roulette is that of X - C alone.
+bool PathTracer::survives_bounce(const SurfaceInteraction& at, const BsdfSample& sample) {
+  const float cosine = dot(at.geometric_normal, sample.wi);
+  if (!sample.is_diffuse || !(cosine > 0.0f)) return survives(numbers_.roulette);
+  const WorldIndex world = state_.info.world;
+  if (worker_.recorder) {
+    const float weight = std::min(cosine * k_inv_pi / sample.pdf, 4.0f);
+    worker_.recorder->diffuse_bounce({at.position, at.geometric_normal, world, {}, weight},
+                                     state_.throughput, result_.radiance);
+  }
+  const float probability = survival_probability(state_, settings_);
+  if (!cache_ || probability >= 1.0f) return survives(numbers_.roulette);
+  const Spectrum* known = cache_->find(at.position, at.geometric_normal, world);
+  if (!known) return survives(numbers_.roulette);
+  const Spectrum expected = state_.throughput * *known;
+  const bool goes_on = survives(numbers_.roulette);
+  add_to_pixel(goes_on ? expected * (1.0f - 1.0f / probability) : expected, state_.has_entered);
+  return goes_on;
 }
 
 void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint& point) {
@@ -400,9 +371,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.t_max = k_infinity;
   state_.length_before = 0.0f;
   if (state_.ends_after_transparent) return survives(numbers_.roulette) && may_still_meet_light();
-  // Where it leads to another diffuse surface more is known there.
-  is_roulette_due_ = cache_ && sample->is_diffuse;
-  return is_roulette_due_ || survives(numbers_.roulette);
+  return survives_bounce(at, *sample);
 }
 
 // Below the surface of the object and out again, as one vertex more that counts as no bounce: its

@@ -18,15 +18,10 @@ constexpr uint32_t k_tasks = k_paths / k_paths_per_task;
 // Less work than this many times the training is done without.
 constexpr double k_worthwhile_work = 32.0;
 
-struct TaskResult {
-  std::vector<RadianceRecord> records;
-  double radiance = 0.0;  // sum over the paths
-};
-
-TaskResult trace_paths(const Scene& scene, const RenderSettings& settings, uint32_t task,
-                       const std::atomic<bool>& cancelled) {
+std::vector<RadianceRecord> trace_paths(const Scene& scene, const RenderSettings& settings,
+                                        uint32_t task, const std::atomic<bool>& cancelled) {
   const FlushDenormals guard;
-  TaskResult result;
+  std::vector<RadianceRecord> records;
   Worker worker(scene, settings.seed);
   PathRecorder recorder;
   worker.recorder = &recorder;
@@ -40,11 +35,10 @@ TaskResult trace_paths(const Scene& scene, const RenderSettings& settings, uint3
         {u.x * static_cast<float>(settings.width), u.y * static_cast<float>(settings.height)},
         worker);
     if (!is_finite(sample.radiance)) continue;
-    result.radiance += static_cast<double>(max_component(sample.radiance));
     recorder.finish(sample.radiance,
-                    [&](const RadianceRecord& record) { result.records.push_back(record); });
+                    [&](const RadianceRecord& record) { records.push_back(record); });
   }
-  return result;
+  return records;
 }
 
 }  // namespace
@@ -54,18 +48,15 @@ std::unique_ptr<const RadianceCache> learn_radiance(const Scene& scene,
                                                     const std::atomic<bool>& cancelled) {
   const double work = static_cast<double>(settings.width) * settings.height * settings.samples;
   if (!settings.use_radiance_cache || work < k_worthwhile_work * k_paths) return nullptr;
-  std::vector<TaskResult> results(k_tasks);
+  std::vector<std::vector<RadianceRecord>> results(k_tasks);
   tbb::parallel_for(0u, k_tasks, [&](uint32_t task) {
     results[task] = trace_paths(scene, settings, task, cancelled);
   });
   if (cancelled) return nullptr;
   std::vector<RadianceRecord> records;
-  double radiance = 0.0;
-  for (const TaskResult& result : results) {
-    records.insert(records.end(), result.records.begin(), result.records.end());
-    radiance += result.radiance;
-  }
-  return std::make_unique<const RadianceCache>(records, static_cast<float>(radiance / k_paths));
+  for (const auto& result : results)
+    records.insert(records.end(), result.begin(), result.end());
+  return std::make_unique<const RadianceCache>(records);
 }
 
 }  // namespace tenniel

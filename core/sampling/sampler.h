@@ -57,7 +57,6 @@ struct VertexNumbers {
   float lobe;      // request 2
   Vec2 wi;         // request 3
   float roulette;  // request 4
-  float arrival;   // its second number
   static constexpr uint32_t k_requests = 5;
 };
 
@@ -113,7 +112,7 @@ class Sampler {
 inline VertexNumbers Sampler::vertex_numbers(uint32_t dimension) {
   using detail::Lanes;
   constexpr Lanes k_request = {0, 1, 1, 2, 3, 3, 4, 4};
-  constexpr Lanes k_takes_y = {0, 0, ~0u, 0, 0, ~0u, 0, ~0u};
+  constexpr Lanes k_takes_y = {0, 0, ~0u, 0, 0, ~0u, 0, 0};
   constexpr Lanes k_salt = detail::k_salt_x ^ (k_takes_y & (detail::k_salt_x ^ detail::k_salt_y));
   dimension_ = dimension + VertexNumbers::k_requests;
   const Lanes seed = mix_bits(pixel_ + (dimension + k_request) * 0x9e3779b9u);
@@ -125,7 +124,7 @@ inline VertexNumbers Sampler::vertex_numbers(uint32_t dimension) {
   std::array<float, 8> u;
   for (size_t i = 0; i < u.size(); ++i)
     u[i] = uint_to_unit(bits[i]);
-  return {u[0], {u[1], u[2]}, u[3], {u[4], u[5]}, u[6], u[7]};
+  return {u[0], {u[1], u[2]}, u[3], {u[4], u[5]}, u[6]};
 }
 
 // Plain generator (PCG32, O'Neill 2014) for loops of unknown length; seed it from one dimension.
