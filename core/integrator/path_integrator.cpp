@@ -189,12 +189,9 @@ MediumEvent PathTracer::walk_media(float length) {
 void PathTracer::evaluate(const SurfaceInteraction& at) {
   const Material& material = scene_.material_at(at, state_.info.world);
   ShadingContext& context = worker_.surface;
-  context.path = state_.info;
-  context.domain = ShaderDomain::surface;
-  context.camera = &scene_.camera_info;
-  context.material_pass_index = material.pass_index;
-  context.begin(state_.ends_after_transparent ? k_query_emission | k_query_transparency
-                                              : k_query_surface);
+  const uint8_t query =
+      state_.ends_after_transparent ? k_query_emission | k_query_transparency : k_query_surface;
+  begin_surface(scene_, material, state_.info, query, context);
   material.surface.run(context);
   if (state_.ends_after_transparent) return;
 

@@ -17,11 +17,7 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
                               const Material& material, const PathInfo& path,
                               ShadingContext& scratch) {
   scratch.surface = at;
-  scratch.path = path;
-  scratch.domain = ShaderDomain::surface;
-  scratch.camera = &scene.camera_info;
-  scratch.material_pass_index = material.pass_index;
-  scratch.begin(k_query_transparency);
+  begin_surface(scene, material, path, k_query_transparency, scratch);
   material.transparency.run(scratch);
   return scratch.transparency;
 }

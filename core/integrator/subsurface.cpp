@@ -25,11 +25,7 @@ void shade_exit(const Scene& scene, const Subsurface& lobe, const PathInfo& path
   const Material& material = scene.material_at(at, path.world);
   Vec3 normal = at.shading_normal;
   if (material.bends_subsurface) {
-    context.path = path;
-    context.domain = ShaderDomain::surface;
-    context.camera = &scene.camera_info;
-    context.material_pass_index = material.pass_index;
-    context.begin(k_query_scatter);
+    begin_surface(scene, material, path, k_query_scatter, context);
     material.surface.run(context);
     normal = context.bsdf.subsurface_normal();
   }

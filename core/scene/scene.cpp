@@ -50,13 +50,13 @@ SurfaceInteraction lamp_surface(const Light& light, Vec3 position, Vec3 wi, floa
   return at;
 }
 
-void begin_evaluation(const Scene& scene, const PathInfo& path, ShaderDomain domain,
+void begin_evaluation(const Scene& scene, const PathInfo& path, ShaderDomain domain, uint8_t query,
                       ShadingContext& context) {
   context.path = path;
   context.domain = domain;
   context.lamp = nullptr;
   context.camera = &scene.camera_info;
-  context.begin(k_query_emission);
+  context.begin(query);
 }
 
 }  // namespace
@@ -81,9 +81,15 @@ Spectrum background_radiance(const Scene& scene, const World& world, Vec3 direct
   context.surface.position = direction;
   context.surface.wo = -direction;
   context.surface.geometric_normal = context.surface.shading_normal = -direction;
-  begin_evaluation(scene, path, ShaderDomain::world, context);
+  begin_evaluation(scene, path, ShaderDomain::world, k_query_emission, context);
   material.emission.run(context);
   return context.emission;
+}
+
+void begin_surface(const Scene& scene, const Material& material, const PathInfo& path,
+                   uint8_t query, ShadingContext& context) {
+  context.material_pass_index = material.pass_index;
+  begin_evaluation(scene, path, ShaderDomain::surface, query, context);
 }
 
 Spectrum surface_emission(const Scene& scene, const Material& material,
@@ -92,8 +98,7 @@ Spectrum surface_emission(const Scene& scene, const Material& material,
   if (!material.emits) return {};
   if (material.is_emission_constant) return material.constant_emission;
   context.surface = at;
-  context.material_pass_index = material.pass_index;
-  begin_evaluation(scene, path, ShaderDomain::surface, context);
+  begin_surface(scene, material, path, k_query_emission, context);
   material.emission.run(context);
   return context.emission;
 }
@@ -104,7 +109,7 @@ Spectrum lamp_emission(const Scene& scene, const Light& light, Vec3 position, Ve
   const Material& material = *light.material;
   if (material.is_emission_constant) return material.constant_emission;
   context.surface = lamp_surface(light, position, wi, distance);
-  begin_evaluation(scene, path, ShaderDomain::lamp, context);
+  begin_evaluation(scene, path, ShaderDomain::lamp, k_query_emission, context);
   context.lamp = &scene.lamp_infos[static_cast<size_t>(&material - scene.lamp_materials.data())];
   material.emission.run(context);
   context.lamp = nullptr;

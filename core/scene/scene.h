@@ -81,6 +81,9 @@ struct Scene final : RayQueries {
 // Radiance of a World seen along `direction`; `context` is scratch.
 Spectrum background_radiance(const Scene& scene, const World& world, Vec3 direction,
                              const PathInfo& path, ShadingContext& context);
+// Prepares `context`, whose surface is set, for the programs of that surface's material.
+void begin_surface(const Scene& scene, const Material& material, const PathInfo& path,
+                   uint8_t query, ShadingContext& context);
 // What the surface at `at` emits toward at.wo; `context` is scratch.
 Spectrum surface_emission(const Scene& scene, const Material& material,
                           const SurfaceInteraction& at, const PathInfo& path,
