@@ -71,7 +71,7 @@ TEST(Film, AveragesExtraChannels) {
   }
   for (size_t i = 0; i < film.tiles().size(); ++i) {
     const FilmRect& tile = film.tiles()[i];
-    const auto count = static_cast<size_t>(tile.width * tile.height);
+    const size_t count = static_cast<size_t>(tile.width) * static_cast<size_t>(tile.height);
     std::vector<float> last_two(2 * count);
     film.read_extra(1, 2, tile, last_two.data());
     for (size_t p = 0; p < 2 * count; ++p)

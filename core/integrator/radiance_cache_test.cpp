@@ -16,8 +16,9 @@ std::vector<RadianceRecord> room_of_records() {
   std::vector<RadianceRecord> records;
   records.reserve(3 * k_places);
   for (int i = 0; i < k_places; ++i) {
-    const Vec3 p{static_cast<float>(i % 100) / 10.0f, static_cast<float>(i / 100 % 80) / 8.0f,
-                 static_cast<float>(i / 8000)};
+    const int column = i % 100, row = i / 100 % 80, layer = i / 8000;
+    const Vec3 p{static_cast<float>(column) / 10.0f, static_cast<float>(row) / 8.0f,
+                 static_cast<float>(layer)};
     const float value = (p.x < 5.0f ? 1.0f : 3.0f) * ((i + i / 100) % 2 ? 0.5f : 1.5f);
     records.push_back({p, k_up, 0, Spectrum(value, 0.0f, 0.0f)});
     records.push_back({p, -k_up, 0, Spectrum(8.0f)});

@@ -157,17 +157,17 @@ class EmissiveQuad : public ::testing::Test {
     soup.polygon_count = 2;
     soup.triangle_corners = triangles;
     soup.triangle_count = 3;
-    mesh = build_mesh(soup);
-    instance.materials = instance.behind_materials = {0};
+    mesh_ = build_mesh(soup);
+    instance_.materials = instance_.behind_materials = {0};
   }
-  Mesh mesh;
-  Instance instance;
+  Mesh mesh_;
+  Instance instance_;
 };
 
 // The closed form of a square light of side 2 at distance 2 is that of side 1 at distance 1. The
 // second polygon has no area and must never be drawn.
 TEST_F(EmissiveQuad, IrradianceMatchesTheSquareAndPdfMatchesTheHit) {
-  const MeshLight light(instance, 0, mesh, {1.0f});
+  const MeshLight light(instance_, 0, mesh_, {1.0f});
   ASSERT_FALSE(light.empty());
   EXPECT_NEAR(light.power(), 4.0f, 1e-5f);
   Sampler sampler(3);
@@ -179,7 +179,7 @@ TEST_F(EmissiveQuad, IrradianceMatchesTheSquareAndPdfMatchesTheHit) {
     ASSERT_TRUE(drawn);
     sum += drawn->wi.z / drawn->pdf;
     const SurfaceInteraction at =
-        make_interaction(Ray{k_floor.position, drawn->wi}, drawn->hit, instance, mesh, 0.0f);
+        make_interaction(Ray{k_floor.position, drawn->wi}, drawn->hit, instance_, mesh_, 0.0f);
     EXPECT_NEAR(light.pdf(at, k_floor.position) / drawn->pdf, 1.0f, 1e-3f);
     EXPECT_NEAR(distance(at.position, drawn->wi * drawn->distance), 0.0f, 1e-4f);
   }
@@ -187,7 +187,7 @@ TEST_F(EmissiveQuad, IrradianceMatchesTheSquareAndPdfMatchesTheHit) {
 }
 
 TEST_F(EmissiveQuad, DarkSlotsGiveNoLight) {
-  EXPECT_TRUE(MeshLight(instance, 0, mesh, {0.0f}).empty());
+  EXPECT_TRUE(MeshLight(instance_, 0, mesh_, {0.0f}).empty());
 }
 
 TEST(EnvironmentLight, PixelsAreWhereBlenderPutsThem) {

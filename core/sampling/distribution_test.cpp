@@ -75,6 +75,10 @@ struct Grid {
   const char* name;
   int width, height;
   std::vector<float> values;
+
+  size_t index(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+  }
 };
 
 Grid random_grid(const char* name, int width, int height) {
@@ -92,7 +96,7 @@ std::vector<Grid> grids() {
   Grid zero_rows = random_grid("zero rows", 10, 6);
   for (int x = 0; x < 10; ++x)
     for (const int y : {0, 3, 5})
-      zero_rows.values[static_cast<size_t>(y * 10 + x)] = 0.0f;
+      zero_rows.values[zero_rows.index(x, y)] = 0.0f;
   zero_rows.values[12] = -4.0f;
   zero_rows.values[13] = std::nanf("");
   all.push_back(zero_rows);
@@ -114,7 +118,7 @@ TEST(Distribution2D, PdfIntegratesToOne) {
         const Vec2 p{(static_cast<float>(x) + 0.5f) / static_cast<float>(g.width),
                      (static_cast<float>(y) + 0.5f) / static_cast<float>(g.height)};
         sum += static_cast<double>(d.pdf(p)) / (g.width * g.height);
-        const float v = g.values[static_cast<size_t>(y * g.width + x)];
+        const float v = g.values[g.index(x, y)];
         if (v > 0.0f) {
           total += v;
         } else {
@@ -131,7 +135,7 @@ TEST(Distribution2D, PdfIntegratesToOne) {
 // against the pdf integrated over each bin by a fine regular sum.
 void expect_samples_follow_pdf(const Grid& g, int columns, int rows) {
   const Distribution2D d(g.values, g.width, g.height);
-  const auto bins = static_cast<size_t>(columns * rows);
+  const size_t bins = static_cast<size_t>(columns) * static_cast<size_t>(rows);
   std::vector<double> expected(bins), counts(bins);
   const int sub_x = columns * g.width, sub_y = rows * g.height;  // no cell straddles a bin
   for (int j = 0; j < sub_y; ++j) {
@@ -148,9 +152,9 @@ void expect_samples_follow_pdf(const Grid& g, int columns, int rows) {
     ASSERT_TRUE(s.position.x >= 0.0f && s.position.x < 1.0f) << g.name;
     ASSERT_TRUE(s.position.y >= 0.0f && s.position.y < 1.0f) << g.name;
     ASSERT_GT(s.pdf, 0.0f) << g.name;
-    const int column = static_cast<int>(s.position.x * static_cast<float>(columns));
-    const int row = static_cast<int>(s.position.y * static_cast<float>(rows));
-    counts[static_cast<size_t>(row * columns + column)] += 1.0;
+    const auto column = static_cast<size_t>(s.position.x * static_cast<float>(columns));
+    const auto row = static_cast<size_t>(s.position.y * static_cast<float>(rows));
+    counts[row * static_cast<size_t>(columns) + column] += 1.0;
   }
   double chi2 = 0.0, freedom = -1.0;
   for (size_t i = 0; i < bins; ++i) {

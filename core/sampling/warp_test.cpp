@@ -119,8 +119,9 @@ TEST(WarpStatistics, BilinearSquareFollowsItsPdf) {
     }
     double chi2 = 0.0;
     for (size_t i = 0; i < counts.size(); ++i) {
-      const Vec2 middle{(static_cast<float>(i % k_side) + 0.5f) / k_side,
-                        (static_cast<float>(i / k_side) + 0.5f) / k_side};
+      const size_t column = i % k_side, row = i / k_side;
+      const Vec2 middle{(static_cast<float>(column) + 0.5f) / k_side,
+                        (static_cast<float>(row) + 0.5f) / k_side};
       const double expected = square.pdf(middle) * k_samples / counts.size();
       chi2 += (counts[i] - expected) * (counts[i] - expected) / expected;
     }

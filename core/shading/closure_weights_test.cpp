@@ -217,8 +217,8 @@ TEST(ClosureWeights, StayLinearInSharedDiamonds) {
   std::string last = "m0.Emission";
   for (int i = 1; i <= 60; ++i) {
     const std::string name = "m" + std::to_string(i);
-    text += name;
-    text += ": ShaderNodeMixShader Fac<axes.X Shader<" + last + " Shader_001<" + last + "\n";
+    text.append(name).append(": ShaderNodeMixShader Fac<axes.X Shader<").append(last);
+    text.append(" Shader_001<").append(last).append("\n");
     last = name + ".Shader";
   }
   const auto m = compiled(text + "out: ShaderNodeOutputMaterial Surface<" + last);

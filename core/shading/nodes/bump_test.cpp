@@ -198,7 +198,7 @@ TEST(Displacement, FollowsTheObjectsScale) {
     e: ShaderNodeEmission Color<d.Direction
     out: ShaderNodeOutputMaterial Surface<e.Emission Displacement<p.Displacement)";
   for (const auto& [space, slope] : {std::pair{"@space=OBJECT", 0.75f}, {"@space=WORLD", 0.25f}}) {
-    const TestMaterial m(head + space + tail, true, &test_registry());
+    const TestMaterial m(std::string(head).append(space).append(tail), true, &test_registry());
     AttributeIds ids;
     const TestSurface surface(ids, tall);
     ShadingContext context;
