@@ -113,7 +113,7 @@ TEST(VolumeNodes, DensityMayVaryOverSpace) {
 // An instance that fills [-1, 1]^3 with one voxel.
 class Voxel {
  public:
-  Voxel(std::vector<float> value, AttributeIds& ids, const char* name)
+  Voxel(const std::vector<float>& value, AttributeIds& ids, const char* name)
       : grid_(std::make_shared<std::vector<float>>(value), {1, 1, 1},
               static_cast<int>(value.size())) {
     instance_.grids.emplace_back(ids.intern(name), &grid_);
