@@ -73,7 +73,7 @@ class MeshDesc:
     triangle_corners: UIntBuffer  # (triangles, 3)
     material_indices: IntBuffer | None  # (polygons)
     smooth_flags: ByteBuffer | None  # (polygons)
-    vertex_normals: FloatBuffer | None  # (vertices, 3)
+    vertex_normals: FloatBuffer | None  # (vertices, 3); None: made of the polygons
     corner_normals: FloatBuffer | None  # (corners, 3); wins over vertex_normals
     attributes: list[AttributeDesc]
     texture_space_location: Sequence[float]

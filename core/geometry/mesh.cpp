@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "geometry/vertex_normals.h"
+
 namespace tenniel {
 
 namespace {
@@ -28,6 +30,12 @@ std::vector<Vec3> to_vec3(const float* data, size_t count) {
 template <class T>
 bool is_uniform(const std::vector<T>& values) {
   return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+}
+
+bool has_smooth_faces(const PolygonSoup& soup) {
+  const uint8_t* flags = soup.smooth_flags;
+  return flags != nullptr &&
+         std::any_of(flags, flags + soup.polygon_count, [](uint8_t flag) { return flag != 0; });
 }
 
 size_t triangle_count(int polygon_size) {
@@ -184,10 +192,14 @@ Mesh build_mesh(const PolygonSoup& soup) {
   Mesh mesh;
   mesh.name = soup.name;
   mesh.positions = to_vec3(soup.positions, soup.vertex_count);
-  if (soup.corner_normals != nullptr)
+  if (soup.corner_normals != nullptr) {
     mesh.corner_normals = to_vec3(soup.corner_normals, soup.corner_count);
-  else if (soup.vertex_normals != nullptr)
+    settle_corner_normals(soup, vertex_normals(soup), mesh.corner_normals);
+  } else if (soup.vertex_normals != nullptr) {
     mesh.vertex_normals = to_vec3(soup.vertex_normals, soup.vertex_count);
+  } else if (has_smooth_faces(soup)) {
+    mesh.vertex_normals = vertex_normals(soup);
+  }
   FaceBuilder(soup, mesh).run();
   return mesh;
 }

@@ -29,7 +29,7 @@ struct PolygonSoup {
   size_t triangle_count = 0;
   const int32_t* material_indices = nullptr;  // (polygon_count) or null: all 0
   const uint8_t* smooth_flags = nullptr;      // (polygon_count) or null: all flat
-  const float* vertex_normals = nullptr;      // (vertex_count, 3) or null
+  const float* vertex_normals = nullptr;      // (vertex_count, 3) or null: made of the polygons
   const float* corner_normals = nullptr;      // (corner_count, 3) or null; wins over vertex normals
 };
 

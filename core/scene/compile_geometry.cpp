@@ -6,6 +6,7 @@
 
 #include "geometry/connectivity.h"
 #include "geometry/pointiness.h"
+#include "geometry/vertex_normals.h"
 #include "math/hash.h"
 #include "scene/compile_scene.h"
 #include "scene/displace.h"
@@ -48,8 +49,7 @@ Mesh strands_from(const MeshDesc& desc) {
   return build_strands(soup);
 }
 
-Mesh mesh_from(const MeshDesc& desc) {
-  if (desc.shape != "FACES") return strands_from(desc);
+PolygonSoup polygon_soup(const MeshDesc& desc) {
   PolygonSoup soup;
   soup.name = desc.name;
   const auto size_of = [](const auto& buffer) { return buffer ? buffer->size() : size_t{0}; };
@@ -66,7 +66,11 @@ Mesh mesh_from(const MeshDesc& desc) {
   soup.smooth_flags = data_or_null(desc.smooth_flags, soup.polygon_count);
   soup.vertex_normals = data_or_null(desc.vertex_normals, soup.vertex_count * 3);
   soup.corner_normals = data_or_null(desc.corner_normals, soup.corner_count * 3);
-  return build_mesh(soup);
+  return soup;
+}
+
+Mesh mesh_from(const MeshDesc& desc) {
+  return desc.shape == "FACES" ? build_mesh(polygon_soup(desc)) : strands_from(desc);
 }
 
 size_t element_count(const MeshDesc& desc, AttributeDomain domain) {
@@ -124,19 +128,11 @@ void add_strand_values(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids
   add(k_strand_length, AttributeDomain::face, std::move(lengths.lengths));
 }
 
-// The exporter's vertex normals become what is asked for.
-void make_pointiness(Mesh& mesh, const MeshDesc& desc) {
-  for (Attribute& a : mesh.attributes) {
-    if (a.name != k_pointiness) continue;
-    std::vector<Vec3> normals;
-    for (size_t i = 0; i + 2 < a.data.size(); i += 3)
-      normals.push_back({a.data[i], a.data[i + 1], a.data[i + 2]});
-    const bool is_complete =
-        a.channels == 3 && desc.edge_vertices && normals.size() >= mesh.positions.size();
-    a.data = is_complete ? pointiness(mesh.positions, normals, *desc.edge_vertices)
-                         : std::vector<float>(mesh.positions.size(), 0.5f);
-    a.channels = 1;
-  }
+void add_pointiness(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids) {
+  if (!desc.edge_vertices || ids.find(k_pointiness) == AttributeIds::k_none) return;
+  mesh.attributes.push_back(
+      {k_pointiness, AttributeDomain::vertex, 1,
+       pointiness(mesh.positions, vertex_normals(polygon_soup(desc)), *desc.edge_vertices)});
 }
 
 // Keeps the attributes that some program asks for.
@@ -281,7 +277,7 @@ void SceneCompiler::compile_geometry() {
     add_attributes(mesh, meshes[i], attributes, diagnostics);
     add_islands(mesh, meshes[i], attributes);
     add_strand_values(mesh, meshes[i], attributes);
-    make_pointiness(mesh, meshes[i]);
+    add_pointiness(mesh, meshes[i], attributes);
     make_tangents(mesh, tangents[i]);
     index_attributes(mesh, attributes);
     if (mesh.dropped_faces > 0)

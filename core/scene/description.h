@@ -40,9 +40,10 @@ struct MeshDesc {
   Buffer<uint32_t> triangle_corners;  // (triangles, 3) of Blender's triangulation
   Buffer<int32_t> material_indices;   // (polygons) or none
   Buffer<uint8_t> smooth_flags;       // (polygons) or none
-  Buffer<float> vertex_normals;       // (vertices, 3) or none
+  Buffer<float> vertex_normals;       // (vertices, 3) or none: made of the polygons
   Buffer<float> corner_normals;       // (corners, 3) or none
-  // (edges, 2) where a shader asks for attributes of edges or for Random Per Island, else none
+  // (edges, 2) where a shader asks for attributes of edges, Random Per Island or Pointiness, else
+  // none
   Buffer<uint32_t> edge_vertices;
   std::vector<AttributeDesc> attributes;
   std::array<float, 3> texture_space_location{0, 0, 0};

@@ -12,7 +12,7 @@ ACTIVE_UV = ''
 ACTIVE_COLOR = '\x01color'
 GENERATED = '\x01generated'
 ISLAND = '\x01island'
-# Vertex normals, of which the core makes the Pointiness of the Geometry node.
+# The Pointiness of the Geometry node, which the core makes where it is given the edges.
 POINTINESS = '\x01pointiness'
 
 # Bits of `ray_kinds`, in the core's order, by the object flag that switches them.

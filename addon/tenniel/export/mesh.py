@@ -82,6 +82,7 @@ def _set_topology(core, desc, mesh):
 
 
 def _set_normals(core, desc, mesh):
+    # Those of vertices are the core's to make: Blender's depend on its threads in their last bits.
     smooth = _filled(core.ByteBuffer(len(mesh.polygons)), mesh.polygons, 'use_smooth')
     desc.smooth_flags = smooth
     if compat.needs_corner_normals(mesh):
@@ -89,21 +90,15 @@ def _set_normals(core, desc, mesh):
         compat.read_corner_normals(mesh, desc.corner_normals)
         # These hold for flat faces too: they are flat there unless the artist bent them.
         memoryview(smooth).cast('B')[:] = b'\x01' * len(mesh.polygons)
-    elif b'\x01' in bytes(memoryview(smooth)):
-        desc.vertex_normals = _filled(core.FloatBuffer(3 * len(mesh.vertices)),
-                                      mesh.vertex_normals, 'vector')
 
 
 # Attributes --------------------------------------------------------------------------------------
 
 def _attributes(core, mesh, original, names):
     found = []
-    for name in sorted(names - {ISLAND}):
+    for name in sorted(names - {ISLAND, POINTINESS}):
         if name == GENERATED:
             desc = _undeformed(core, mesh, original)
-        elif name == POINTINESS:
-            desc = _new(core, name, 'POINT', 3, len(mesh.vertices))
-            mesh.vertex_normals.foreach_get('vector', desc.data)
         else:
             desc = _named(core, mesh, name)
         if desc is not None:
