@@ -62,6 +62,21 @@ float AreaLight::attenuation(float cosine) const {
   return std::max((1.0f - tan_spread * tangent) * spread_normalization, 0.0f);
 }
 
+// The radiance at the nearest part of the lamp, dimmed where the cone of directions that arrive
+// holds but a part of it: the mean of 1 - tan a tan t over that cone's disk is a third.
+float AreaLight::beam_estimate(Vec3 point) const {
+  if (tan_spread == 0.0f) return 1.0f;
+  const Vec3 from_center = point - center;
+  const float height = dot(from_center, normal);
+  if (!(height > 0.0f)) return 0.0f;
+  const float radius =
+      0.5f * std::sqrt(std::max(length_squared(edge_u + edge_v), length_squared(edge_u - edge_v)));
+  const float aside = std::max(length(from_center - normal * height) - radius, 0.0f);
+  const float peak = std::max(1.0f - tan_spread * aside / height, 0.0f) * spread_normalization;
+  const float seen = k_pi / 3.0f * sqr(height / tan_spread) / area();
+  return peak * std::min(seen, 1.0f);
+}
+
 AreaLight::Method AreaLight::method_for(Vec3 from) const {
   if (is_ellipse) return Method::uniform_area;
   const bool is_near = length_squared(center - from) < k_near * parallelogram;

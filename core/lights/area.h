@@ -35,6 +35,9 @@ struct AreaLight {
   std::optional<LightSample> sample(const ShadingPoint& point, Vec2 u) const;
   std::optional<LampHit> intersect(const Ray& ray) const;
   float pdf(const ShadingPoint& point, Vec3 wi) const;
+  // About how much brighter than without a limit of its beam the lamp is at a point; zero only
+  // where no part of the beam arrives.
+  float beam_estimate(Vec3 point) const;
 
  private:
   // How a point draws places on the lamp.

@@ -37,7 +37,9 @@ float area_importance(const AreaLight& area, const ShadingPoint& point) {
   // Points beside the lamp, within its extent, see it at a slant.
   const float slant = std::clamp(facing + radius / distance * 0.5f, 0.0f, 1.0f);
   if (dot(point.position - area.center, area.normal) <= 0.0f) return 0.0f;
-  return ball_importance(mean(area.radiance) * area.area() * slant, area.center, radius, point);
+  const float intensity =
+      mean(area.radiance) * area.area() * slant * area.beam_estimate(point.position);
+  return ball_importance(intensity, area.center, radius, point);
 }
 
 }  // namespace

@@ -28,8 +28,12 @@ LightSampler::LightSampler(const std::vector<Light>& all, WorldIndex world)
     if (const auto* lamp = all[light].as<PointLight>()) near.position = lamp->position;
     if (const auto* spot = all[light].as<SpotLight>())
       near.position = spot->point.position + spot->axis;
-    if (const auto* area = all[light].as<AreaLight>()) near.position = area->center + area->normal;
-    weights.push_back(light_importance(all[light], near));
+    float beam = 1.0f;
+    if (const auto* area = all[light].as<AreaLight>()) {
+      near.position = area->center + area->normal;
+      beam = area->beam_estimate(near.position);
+    }
+    weights.push_back(light_importance(all[light], near) / beam);
   }
   by_power_ = AliasTable(weights);
 }

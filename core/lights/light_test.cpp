@@ -292,5 +292,30 @@ TEST(LightSampler, ImportanceIsPositiveWhereverALampShines) {
   }
 }
 
+// In its beam a lamp of small spread outshines one of the same power without limit, as often as it
+// is brighter; beside its beam it is not chosen.
+TEST(LightSampler, FollowsTheBeamOfANarrowLamp) {
+  std::vector<Light> lights(2);
+  const AreaLight narrow = area_light({0.0f, 0.0f, 3.0f}, 0.1f, false, 0.7f);
+  lights[0].shape = narrow;
+  lights[1].shape = area_light({0.0f, 0.0f, 3.0f}, 0.1f, false);
+  const LightSampler sampler(lights, 0);
+  for (const float x : {0.0f, 0.4f, 0.8f, 5.0f}) {
+    const ShadingPoint point{{x, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, true};
+    std::array<double, 2> irradiance{};
+    Sampler random(6);
+    for (uint32_t i = 0; i < 4096; ++i) {
+      random.start_sample(0, 0, i);
+      const Vec2 u = random.get_2d();
+      for (size_t k = 0; k < 2; ++k)
+        if (const auto drawn = sample_lamp(lights[k], point, u))
+          irradiance[k] += mean(drawn->radiance) * drawn->wi.z / drawn->pdf;
+    }
+    const double share = irradiance[0] / (irradiance[0] + irradiance[1]);
+    EXPECT_NEAR(sampler.probability(point, 0), share, 0.05) << x;
+  }
+  EXPECT_EQ(sampler.probability({{5.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, true}, 0), 0.0f);
+}
+
 }  // namespace
 }  // namespace tenniel
