@@ -14,7 +14,7 @@ class Exhibit(NamedTuple):
     title: str
     text: str
     build: Callable
-    samples: int = 128
+    samples: int = 64
     in_cycles: bool = True
 
 

@@ -52,7 +52,7 @@ def goblet(wine, x):
 
 @exhibit("Chardonnay", "Left: the measured wine, absorbing and scattering. Right: the same loss of "
                        "light without the scattered part, as Beer and Lambert have it.",
-         samples=256)
+         samples=96)
 def chardonnay():
     stage.studio(2.6, 0.66, backdrop=(0.55, 0.54, 0.52))
     goblet(filled("Chardonnay", "Chardonnay", 0.1, 1.33), -0.55)
@@ -60,7 +60,7 @@ def chardonnay():
 
 
 @exhibit("Liquids", "Apple juice, cranberry juice, beer, milk and coffee by their measured values, "
-                    "in drops of five centimetres.", samples=256)
+                    "in drops of five centimetres.", samples=128)
 def liquids():
     bright_studio(4.4, 0.40)
     names = ("Apple Juice", "Cranberry Juice", "Budweiser Beer", "Lowfat Soy Milk", "Espresso")
@@ -70,7 +70,7 @@ def liquids():
 
 
 @exhibit("Marble", "Light that enters, wanders below the polish and leaves elsewhere: measured "
-                   "marble, as pieces of two, one and half a centimetre.", samples=160)
+                   "marble, as pieces of two, one and half a centimetre.", samples=64)
 def marble():
     bright_studio(3.0, 0.62)
     for scale, x in zip((0.02, 0.01, 0.005), stage.row(3, 1.0)):
@@ -79,7 +79,7 @@ def marble():
 
 @exhibit("Smoke", "The same puff with isotropic scattering and with g = 0.5 and 0.92, lit from "
                   "behind: the more forward it scatters, the more of the lamp comes through.",
-         samples=256)
+         samples=96)
 def smoke():
     lit_from_behind()
     for g, x in zip((0.0, 0.5, 0.92), stage.row(3, 1.3)):
@@ -99,7 +99,7 @@ def lit_from_behind():
 
 
 @exhibit("Smoke in space", "Smoke whose density varies by noise and thins out from a bent axis, "
-                           "lit from behind; isotropic, g = 0.5 and g = 0.92.", samples=192)
+                           "lit from behind; isotropic, g = 0.5 and g = 0.92.", samples=96)
 def smoke_varying():
     lit_from_behind()
     for g, x in zip((0.0, 0.5, 0.92), stage.row(3, 1.3)):

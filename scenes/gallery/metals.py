@@ -58,7 +58,7 @@ def metals():
 
 
 @exhibit("Rough glass", "Glass of index 1.5 at roughness 0, 0.15, 0.3 and 0.5 before a grid.",
-         samples=192)
+         samples=96)
 def glass_rough():
     stage.studio(4.0, 0.62, light=1.1)
     grid, nodes = parts.new_material("Grid")

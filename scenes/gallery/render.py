@@ -6,9 +6,12 @@ blender -b --factory-startup --addons tenniel --python-exit-code 1 --python scen
 """
 
 import argparse
+import array
+import collections
 import html
 import pathlib
 import sys
+import tempfile
 import time
 
 import bpy
@@ -30,7 +33,9 @@ h2{{font-size:1.1em;margin:0 0 .3em}}figure{{display:inline-block;margin:0 .4em 
 figcaption,p{{font-size:.85em;color:#aaa}}</style>
 <h1>Tenniel: gallery</h1>
 <p>Left Tenniel, right Cycles with the same settings where it has the feature. Seconds are of the
-whole render, export included.</p>
+whole render, export included. The difference is that of the mean radiance, Tenniel less Cycles;
+in blocks, that of squares of 8 x 8 pixels without their signs, with all noise, both divided by
+Cycles' mean.</p>
 {sections}</html>
 """
 
@@ -65,16 +70,42 @@ def build(item, width, samples):
 
 
 def picture(scene, engine, path):
-    """Renders to `path`; returns the seconds."""
+    """Renders to `path`; returns the seconds and the radiance."""
     scene.render.engine = engine
     scene.render.filepath = str(path)
     start = time.perf_counter()
     bpy.ops.render.render(write_still=True)
-    return time.perf_counter() - start
+    return time.perf_counter() - start, radiance(scene)
 
 
-def section(item, samples, seconds):
-    """The part of the page on one exhibit; `seconds`: engine -> seconds."""
+def radiance(scene):
+    """What was rendered last, before view transform and JPEG: four numbers a pixel, by rows."""
+    settings = scene.render.image_settings
+    with tempfile.TemporaryDirectory() as folder:
+        path = f"{folder}/radiance.exr"
+        settings.file_format = 'OPEN_EXR'
+        bpy.data.images["Render Result"].save_render(path, scene=scene)
+        settings.file_format = 'JPEG'
+        image = bpy.data.images.load(path)
+        pixels = array.array('f', bytes(4 * len(image.pixels)))
+        image.pixels.foreach_get(pixels)
+        bpy.data.images.remove(image)
+    return pixels
+
+
+def difference(ours, theirs, width, block=8):
+    """Of the means, and of blocks without their signs; both by the mean of `theirs`."""
+    blocks = collections.defaultdict(float)
+    for index, (own, other) in enumerate(zip(ours, theirs)):
+        pixel, channel = divmod(index, 4)
+        if channel < 3:
+            blocks[pixel // width // block, pixel % width // block, channel] += own - other
+    total = sum(sum(theirs[channel::4]) for channel in range(3))
+    return sum(blocks.values()) / total, sum(map(abs, blocks.values())) / total
+
+
+def section(item, samples, seconds, beside):
+    """The part of the page on one exhibit; `seconds`: engine -> seconds; `beside`: a sentence."""
     figures = []
     for engine, value in seconds.items():
         suffix = "" if engine == 'TENNIEL' else "_cycles"
@@ -82,7 +113,7 @@ def section(item, samples, seconds):
                        f'<figcaption>{engine.title()}, {samples} samples, {value:.1f} s'
                        f'</figcaption></figure>')
     return (f'<section><h2>{html.escape(item.title)}</h2>{"".join(figures)}'
-            f'<p>{html.escape(item.text)}</p></section>\n')
+            f'<p>{html.escape(item.text)} {beside}</p></section>\n')
 
 
 def main():
@@ -95,12 +126,16 @@ def main():
     for item in chosen:
         samples = max(1, round(item.samples * options.samples))
         scene = build(item, options.width, samples)
-        seconds = {'TENNIEL': picture(scene, 'TENNIEL', output / f"{item.name}.jpg")}
+        seconds, beside = {}, ""
+        seconds['TENNIEL'], ours = picture(scene, 'TENNIEL', output / f"{item.name}.jpg")
         if item.in_cycles and not options.no_cycles:
-            seconds['CYCLES'] = picture(scene, 'CYCLES', output / f"{item.name}_cycles.jpg")
-        sections.append(section(item, samples, seconds))
-        print(f"{item.name}: " + ", ".join(f"{engine.title()} {value:.1f} s"
-                                           for engine, value in seconds.items()), flush=True)
+            seconds['CYCLES'], theirs = picture(scene, 'CYCLES',
+                                                output / f"{item.name}_cycles.jpg")
+            mean, blocks = difference(ours, theirs, options.width)
+            beside = f"Difference {100.0 * mean:+.2f} %, in blocks {100.0 * blocks:.2f} %."
+        sections.append(section(item, samples, seconds, beside))
+        times = ", ".join(f"{engine.title()} {value:.1f} s" for engine, value in seconds.items())
+        print(f"{item.name}: {times}. {beside}".rstrip(), flush=True)
     page = output / "index.html"
     page.write_text(_PAGE.format(page_width=2 * options.width + 40, sections="".join(sections)),
                     encoding="utf-8")

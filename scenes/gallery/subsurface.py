@@ -24,7 +24,7 @@ def wax(method):
 
 
 @exhibit("Wax", "Light that enters and leaves elsewhere: by the profile of Christensen and Burley, "
-                "and by random walks of fixed and of scaled radius.", samples=96)
+                "and by random walks of fixed and of scaled radius.")
 def wax_by_method():
     against_the_light(3.0, 0.62)
     for method, x in zip(("BURLEY", "RANDOM_WALK_FIXED_RADIUS", "RANDOM_WALK"), stage.row(3, 1.0)):
@@ -32,7 +32,7 @@ def wax_by_method():
 
 
 @exhibit("Jade", "The same stone with radii of two, six and twenty centimetres, in a pawn "
-                 "that is a metre and a quarter high.", samples=96)
+                 "that is a metre and a quarter high.")
 def jade():
     against_the_light(3.0, 0.62)
     for length, x in zip((0.02, 0.06, 0.20), stage.row(3, 1.0)):
