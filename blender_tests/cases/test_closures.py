@@ -308,6 +308,26 @@ for _name, _settings in PrincipledTest.VARIANTS.items():
     setattr(PrincipledTest, "test_" + _name.replace(" ", "_"), _principled_test(_name, _settings))
 
 
+class TexturedInputTest(ClosureCase):
+
+    def test_principled(self):
+        """Colour, roughness and specular each by a texture of its own."""
+        def build(nodes):
+            place = nodes.add("ShaderNodeTexCoord").outputs["Object"]
+            checker = nodes.add("ShaderNodeTexChecker", None, {
+                "Vector": place, "Color1": (0.8, 0.4, 0.1), "Color2": (0.1, 0.3, 0.6),
+                "Scale": 4.0})
+            noise = nodes.add("ShaderNodeTexNoise", None, {"Vector": place, "Scale": 3.0})
+            rough = nodes.add("ShaderNodeMapRange", None, {"Value": noise.outputs["Fac"],
+                                                           "To Min": 0.2, "To Max": 0.9})
+            wave = nodes.add("ShaderNodeTexWave", None, {"Vector": place, "Scale": 2.0})
+            return nodes.add("ShaderNodeBsdfPrincipled", {"distribution": "GGX"}, {
+                "Base Color": checker.outputs["Color"], "Roughness": rough,
+                "Specular": wave.outputs["Fac"]})
+        self.on_sphere("textured", lambda: scene_factory.node_material("textured", build),
+                       samples=256, block=8, relative=0.01)
+
+
 class NormalInputTest(ClosureCase):
     """Shading normals that differ from the surface, incl. the light-leak rule."""
 

@@ -204,6 +204,14 @@ const FurnaceCase k_furnaces[] = {
        b.object(sphere(), scatter(0.5f));
        b.object(sphere(), scatter(2.0f, 0.5f), at(0.0f, 0.2f, 0.0f, 0.5f));
      }},
+    {"many",
+     [](SceneBuilder& b) {
+       for (int i = 0; i < 27; ++i)
+         b.object(sphere(),
+                  scatter(2.0f + 0.3f * static_cast<float>(i), 0.05f * static_cast<float>(i - 13)),
+                  at(0.6f * static_cast<float>(i % 3 - 1), 0.6f * static_cast<float>(i / 3 % 3 - 1),
+                     0.6f * static_cast<float>(i / 9 - 1), 0.35f));
+     }},
     {"camera_inside",
      [](SceneBuilder& b) { b.object(sphere(), scatter(0.3f, 0.3f), at(0.0f, 0.0f, 0.0f, 7.0f)); }},
     {"smooth_glass",
