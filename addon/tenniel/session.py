@@ -14,8 +14,8 @@ from .export import Cancelled, View, export_scene, motion
 from .export.camera import FromObject
 from .passes import PassWriter, add_passes
 
-# The core answers a cancel within 0.1 s, and so should we.
-_POLL_SECONDS = 0.05
+# The core answers a cancel within 0.1 s, and so should we: Blender can only be asked.
+_POLL_SECONDS = 0.02
 
 # The first pictures come fast; later ones change less and may cost less.
 _FIRST_REFRESH = 0.25
@@ -196,8 +196,8 @@ class FinalRender:
         report_problems(session)
         if session.error:
             raise RenderError(session.error)
-        if progress.generation:
-            # A cancelled render keeps the picture it has.
+        if progress.generation and not (cancelled and bpy.app.background):
+            # A cancelled render keeps the picture it has, where there is a window to show it.
             self._write_result(cancelled)
 
     # Towards Blender -----------------------------------------------------------------------------

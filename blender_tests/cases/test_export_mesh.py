@@ -5,6 +5,7 @@ import math
 import bpy
 from support import scene_factory
 from support.export_case import ExportTestCase
+from tenniel.export import Cancelled
 
 QUAD_AND_TRIANGLE = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0.5, 0)],
                      [(0, 1, 2, 3), (1, 4, 2)])
@@ -52,6 +53,20 @@ class TopologyTest(ExportTestCase):
         obj["looking_glass"] = True
         self.export()
         self.assert_reported("Glass", "without faces")
+
+
+class CancelTest(ExportTestCase):
+
+    def test_each_array_can_be_the_last(self):
+        """One mesh may hold all of a scene: the artist is asked between its arrays."""
+        scene_factory.plane(self.scene)
+        asked = []
+        self.export(test_break=lambda: asked.append(None))
+        self.assertGreater(len(asked), 6)
+        for last in range(len(asked)):
+            answers = iter([False] * last + [True])
+            with self.assertRaises(Cancelled):
+                self.export(test_break=lambda: next(answers))
 
 
 class NormalsTest(ExportTestCase):

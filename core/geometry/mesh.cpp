@@ -45,7 +45,8 @@ size_t triangle_count(int polygon_size) {
 // Turns the polygons of a soup into the faces of a mesh.
 class FaceBuilder {
  public:
-  FaceBuilder(const PolygonSoup& soup, Mesh& mesh) : soup_(soup), mesh_(mesh) {
+  FaceBuilder(const PolygonSoup& soup, Mesh& mesh, const Cancellation& cancellation)
+      : soup_(soup), mesh_(mesh), cancellation_(cancellation) {
     usable_vertices_.resize(soup.vertex_count);
     for (size_t i = 0; i < soup.vertex_count; ++i)
       usable_vertices_[i] = is_usable(mesh.positions[i]);
@@ -59,6 +60,7 @@ class FaceBuilder {
     mesh_.face_polygons.reserve(faces);
     size_t first_triangle = 0;
     for (size_t polygon = 0; polygon < soup_.polygon_count; ++polygon) {
+      cancellation_.check();
       const int size = soup_.polygon_sizes[polygon];
       if (!is_valid(polygon)) {
         ++mesh_.dropped_faces;
@@ -76,6 +78,7 @@ class FaceBuilder {
   bool keeps_quads() const {
     double as_quads = 0.0, as_triangles = 0.0;
     for (size_t i = 0; i < soup_.polygon_count; ++i) {
+      cancellation_.check();
       if (!is_valid(i)) continue;
       const int size = soup_.polygon_sizes[i];
       const auto triangles = static_cast<double>(triangle_count(size));
@@ -176,6 +179,7 @@ class FaceBuilder {
 
   const PolygonSoup& soup_;
   Mesh& mesh_;
+  const Cancellation& cancellation_;
   std::vector<uint8_t> usable_vertices_;
 };
 
@@ -188,19 +192,19 @@ Bounds3 Mesh::bounds() const {
   return box;
 }
 
-Mesh build_mesh(const PolygonSoup& soup) {
+Mesh build_mesh(const PolygonSoup& soup, const Cancellation& cancellation) {
   Mesh mesh;
   mesh.name = soup.name;
   mesh.positions = to_vec3(soup.positions, soup.vertex_count);
   if (soup.corner_normals != nullptr) {
     mesh.corner_normals = to_vec3(soup.corner_normals, soup.corner_count);
-    settle_corner_normals(soup, vertex_normals(soup), mesh.corner_normals);
+    settle_corner_normals(soup, vertex_normals(soup, cancellation), mesh.corner_normals);
   } else if (soup.vertex_normals != nullptr) {
     mesh.vertex_normals = to_vec3(soup.vertex_normals, soup.vertex_count);
   } else if (has_smooth_faces(soup)) {
-    mesh.vertex_normals = vertex_normals(soup);
+    mesh.vertex_normals = vertex_normals(soup, cancellation);
   }
-  FaceBuilder(soup, mesh).run();
+  FaceBuilder(soup, mesh, cancellation).run();
   return mesh;
 }
 

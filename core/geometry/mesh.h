@@ -9,6 +9,7 @@
 #include "geometry/attributes.h"
 #include "geometry/strands.h"
 #include "math/bounds.h"
+#include "math/cancellation.h"
 #include "math/transform.h"
 #include "math/vec.h"
 
@@ -84,8 +85,8 @@ struct Mesh {
 };
 
 // Checks every index, drops faces that are non-finite or out of range (counted), turns quads to
-// Blender's diagonal. Throws nothing but bad_alloc.
-Mesh build_mesh(const PolygonSoup& soup);
+// Blender's diagonal. Throws nothing but bad_alloc and Cancelled.
+Mesh build_mesh(const PolygonSoup& soup, const Cancellation& cancellation = {});
 
 // Carries positions and normals to world space for the one instance that uses the mesh. Attributes
 // stay as they are, so tangents are to be added before.
@@ -111,6 +112,7 @@ inline FaceTriangle face_triangle(const Mesh& mesh, uint32_t face, bool second) 
 // Adds attributes `name` (3 floats a corner: unit tangent along +u, 0 where there is none) and
 // `name + ".sign"` (1 float: the sign of the bitangent) after MikkTSpace (Mikkelsen 2008) from the
 // UV attribute `uv`.
-void add_tangents(Mesh& mesh, const Attribute& uv, const std::string& name);
+void add_tangents(Mesh& mesh, const Attribute& uv, const std::string& name,
+                  const Cancellation& cancellation = {});
 
 }  // namespace tenniel

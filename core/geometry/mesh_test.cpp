@@ -95,6 +95,20 @@ TEST(BuildMesh, MixesTrianglesAndPolygonsIntoQuads) {
   EXPECT_EQ(mesh.material_slot(5), 0);
 }
 
+TEST(BuildMesh, EndsWhenCancelled) {
+  const Polygons p = strip(1);
+  std::atomic<bool> flag{false};
+  const Cancellation cancellation(&flag);
+  Mesh mesh = build_mesh(p.soup(), cancellation);
+  const Attribute uv{"uv", AttributeDomain::vertex, 2, {0, 0, 0, 1, 1, 0, 1, 1}};
+  add_tangents(mesh, uv, "tangent", cancellation);
+  EXPECT_EQ(mesh.attributes.size(), 2u);
+  flag = true;
+  EXPECT_THROW(build_mesh(p.soup(), cancellation), Cancelled);
+  EXPECT_THROW(add_tangents(mesh, uv, "other", cancellation), Cancelled);
+  EXPECT_EQ(mesh.attributes.size(), 2u);
+}
+
 TEST(BuildMesh, OmitsArraysThatSayNothing) {
   Polygons p = strip(3);
   p.materials.assign(3, 0);

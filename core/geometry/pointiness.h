@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/cancellation.h"
 #include "math/vec.h"
 
 namespace tenniel {
@@ -12,6 +13,7 @@ namespace tenniel {
 // (0.5 is flat), averaged with the neighbours. Vertices in one place count as one. `edges` holds
 // two vertices an edge.
 std::vector<float> pointiness(const std::vector<Vec3>& positions, const std::vector<Vec3>& normals,
-                              const std::vector<uint32_t>& edges);
+                              const std::vector<uint32_t>& edges,
+                              const Cancellation& cancellation = {});
 
 }  // namespace tenniel

@@ -34,6 +34,12 @@ TEST(Pointiness, OfACubeIsThatOfItsCorners) {
     EXPECT_NEAR(p, expected, 1e-5f);
 }
 
+TEST(Pointiness, EndsWhenCancelled) {
+  const std::atomic<bool> flag{true};
+  const std::vector<Vec3> line = {{0, 0, 0}, {1, 0, 0}}, up(2, Vec3{0, 0, 1});
+  EXPECT_THROW(pointiness(line, up, {0, 1}, Cancellation(&flag)), Cancelled);
+}
+
 TEST(Pointiness, SeesSplitVerticesAsOne) {
   // A ridge whose two flanks do not share their vertices.
   const std::vector<Vec3> whole = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 1}};

@@ -43,7 +43,8 @@ bool same_bits(Vec3 a, Vec3 b) {
 
 class TangentBuilder {
  public:
-  TangentBuilder(const Mesh& mesh, const Attribute& uv) : mesh_(mesh), uv_(uv) {
+  TangentBuilder(const Mesh& mesh, const Attribute& uv, const Cancellation& cancellation)
+      : mesh_(mesh), uv_(uv), cancellation_(cancellation) {
     gather();
     weld();
     for (size_t t = 0; t < triangles_.size(); ++t)
@@ -55,6 +56,7 @@ class TangentBuilder {
     tangents_.assign(signs.size(), Vec3());
     orientations_.assign(signs.size(), 0.0f);
     for (uint32_t c = 0; c < corners_.size(); ++c) {
+      cancellation_.check();
       const Triangle& t = triangles_[c / 3];
       if (!t.is_degenerate && t.orientation != Orientation::any && !corners_[c].is_grouped)
         grow_group(c);
@@ -94,6 +96,7 @@ class TangentBuilder {
   void gather() {
     const size_t stride = static_cast<size_t>(mesh_.corners_per_face);
     for (uint32_t face = 0; face < mesh_.face_count(); ++face) {
+      cancellation_.check();
       const uint32_t* v = &mesh_.face_vertices[face * stride];
       const size_t halves = stride == 4 && v[2] != v[3] ? 2 : 1;
       const bool is_smooth = mesh_.is_smooth(face);
@@ -122,6 +125,7 @@ class TangentBuilder {
     const size_t size = std::bit_ceil(corners_.size() * 2 + 1);
     std::vector<uint32_t> table(size, k_nobody);
     for (uint32_t i = 0; i < corners_.size(); ++i) {
+      cancellation_.check();
       Corner& c = corners_[i];
       uint32_t hash = 0;
       for (const float f : {c.position.x, c.position.y, c.position.z, c.normal.x, c.normal.y,
@@ -171,8 +175,12 @@ class TangentBuilder {
       const uint32_t from = corners_[c].welded, to = corners_[side(c, 1)].welded;
       edges.push_back({std::min(from, to), std::max(from, to), c});
     }
-    std::sort(edges.begin(), edges.end());
+    std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+      cancellation_.check();
+      return a < b;
+    });
     for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+      cancellation_.check();
       std::vector<uint32_t>& rising = waiting_[0];
       std::vector<uint32_t>& falling = waiting_[1];
       rising.clear();
@@ -255,6 +263,7 @@ class TangentBuilder {
 
   const Mesh& mesh_;
   const Attribute& uv_;
+  const Cancellation& cancellation_;
   std::vector<Corner> corners_;  // three a triangle
   std::vector<Triangle> triangles_;
   std::vector<uint32_t> group_;
@@ -265,7 +274,8 @@ class TangentBuilder {
 
 }  // namespace
 
-void add_tangents(Mesh& mesh, const Attribute& uv, const std::string& name) {
+void add_tangents(Mesh& mesh, const Attribute& uv, const std::string& name,
+                  const Cancellation& cancellation) {
   uint32_t corner_count = 0;
   for (const uint32_t c : mesh.face_corners)
     corner_count = std::max(corner_count, c + 1);
@@ -274,7 +284,7 @@ void add_tangents(Mesh& mesh, const Attribute& uv, const std::string& name) {
   tangent.data.resize(size_t{corner_count} * 3);
   sign.data.resize(corner_count);
   // `uv` may live in mesh.attributes: the new ones are added when it is read.
-  TangentBuilder(mesh, uv).run(tangent.data, sign.data);
+  TangentBuilder(mesh, uv, cancellation).run(tangent.data, sign.data);
   mesh.attributes.push_back(std::move(tangent));
   mesh.attributes.push_back(std::move(sign));
 }

@@ -58,11 +58,13 @@ void add_polygon(const PolygonSoup& soup, std::span<const uint32_t> corners,
 
 }  // namespace
 
-std::vector<Vec3> vertex_normals(const PolygonSoup& soup) {
+std::vector<Vec3> vertex_normals(const PolygonSoup& soup, const Cancellation& cancellation) {
   std::vector<Vec3> normals(soup.vertex_count);
-  for (size_t polygon = 0; polygon < soup.polygon_count; ++polygon)
+  for (size_t polygon = 0; polygon < soup.polygon_count; ++polygon) {
+    cancellation.check();
     if (const auto corners = corners_of(soup, polygon); !corners.empty())
       add_polygon(soup, corners, normals);
+  }
   for (uint32_t vertex = 0; vertex < normals.size(); ++vertex)
     normals[vertex] = normalize_or(normals[vertex], normalize_or(position_of(soup, vertex), {}));
   return normals;

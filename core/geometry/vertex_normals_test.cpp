@@ -94,6 +94,11 @@ TEST(VertexNormals, SettleTheCornersThatTheyWereTakenFor) {
   EXPECT_EQ(corners[1], bent);
 }
 
+TEST(VertexNormals, EndWhenCancelled) {
+  const std::atomic<bool> flag{true};
+  EXPECT_THROW(vertex_normals(cube({}).soup(), Cancellation(&flag)), Cancelled);
+}
+
 TEST(BuildMesh, MakesTheNormalsOfSmoothFaces) {
   Polygons p = cube({});
   EXPECT_TRUE(build_mesh(p.soup()).vertex_normals.empty());

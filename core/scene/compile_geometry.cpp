@@ -69,8 +69,8 @@ PolygonSoup polygon_soup(const MeshDesc& desc) {
   return soup;
 }
 
-Mesh mesh_from(const MeshDesc& desc) {
-  return desc.shape == "FACES" ? build_mesh(polygon_soup(desc)) : strands_from(desc);
+Mesh mesh_from(const MeshDesc& desc, const Cancellation& cancellation) {
+  return desc.shape == "FACES" ? build_mesh(polygon_soup(desc), cancellation) : strands_from(desc);
 }
 
 size_t element_count(const MeshDesc& desc, AttributeDomain domain) {
@@ -128,11 +128,13 @@ void add_strand_values(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids
   add(k_strand_length, AttributeDomain::face, std::move(lengths.lengths));
 }
 
-void add_pointiness(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids) {
+void add_pointiness(Mesh& mesh, const MeshDesc& desc, const AttributeIds& ids,
+                    const Cancellation& cancellation) {
   if (!desc.edge_vertices || ids.find(k_pointiness) == AttributeIds::k_none) return;
   mesh.attributes.push_back(
       {k_pointiness, AttributeDomain::vertex, 1,
-       pointiness(mesh.positions, vertex_normals(polygon_soup(desc)), *desc.edge_vertices)});
+       pointiness(mesh.positions, vertex_normals(polygon_soup(desc), cancellation),
+                  *desc.edge_vertices, cancellation)});
 }
 
 // Keeps the attributes that some program asks for.
@@ -162,12 +164,13 @@ void index_attributes(Mesh& mesh, const AttributeIds& ids) {
   }
 }
 
-void make_tangents(Mesh& mesh, const std::set<std::string>& uv_names) {
+void make_tangents(Mesh& mesh, const std::set<std::string>& uv_names,
+                   const Cancellation& cancellation) {
   for (const std::string& uv_name : uv_names) {
     for (size_t i = 0; i < mesh.attributes.size(); ++i) {
       if (mesh.attributes[i].name != uv_name || mesh.attributes[i].channels != 2) continue;
       const Attribute uv = mesh.attributes[i];  // a copy: the list grows under it
-      add_tangents(mesh, uv, uv_name + ".tangent");
+      add_tangents(mesh, uv, uv_name + ".tangent", cancellation);
       break;
     }
   }
@@ -272,13 +275,13 @@ void SceneCompiler::compile_geometry() {
   tbb::parallel_for(size_t{0}, meshes.size(), [&](size_t i) {
     if (is_cancelled() || users[i] == 0) return;
     Mesh& mesh = scene.meshes[i];
-    mesh = mesh_from(meshes[i]);
+    mesh = mesh_from(meshes[i], cancellation());
     move_edge_values(meshes[i]);
     add_attributes(mesh, meshes[i], attributes, diagnostics);
     add_islands(mesh, meshes[i], attributes);
     add_strand_values(mesh, meshes[i], attributes);
-    add_pointiness(mesh, meshes[i], attributes);
-    make_tangents(mesh, tangents[i]);
+    add_pointiness(mesh, meshes[i], attributes, cancellation());
+    make_tangents(mesh, tangents[i], cancellation());
     index_attributes(mesh, attributes);
     if (mesh.dropped_faces > 0)
       diagnostics.add({"WARNING",
@@ -289,7 +292,7 @@ void SceneCompiler::compile_geometry() {
     meshes[i] = MeshDesc();
     const Instance& user = scene.instances[first_user[i]];
     const bool has_faces = mesh.shape == Shape::faces;
-    if (has_faces) displace(scene, user, mesh, diagnostics);
+    if (has_faces) displace(scene, user, mesh, diagnostics, cancellation());
     // A mesh that only one instance uses joins the top level of the acceleration structure.
     if (users[i] == 1 && user.motion.empty() && user.object_to_world.determinant() != 0.0f &&
         (has_faces || keeps_shape(user.object_to_world)))

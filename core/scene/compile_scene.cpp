@@ -97,12 +97,16 @@ std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnos
     if (control.on_stage) control.on_stage(name);
     (compiler.*run)();
   };
-  stage("Camera", &SceneCompiler::compile_camera);
-  stage("Grids", &SceneCompiler::compile_grids);
-  stage("Compiling shaders", &SceneCompiler::compile_materials);
-  stage("Building BVH", &SceneCompiler::compile_geometry);
-  stage("Volumes", &SceneCompiler::compile_media);
-  stage("Lights", &SceneCompiler::compile_lights);
+  try {
+    stage("Camera", &SceneCompiler::compile_camera);
+    stage("Grids", &SceneCompiler::compile_grids);
+    stage("Compiling shaders", &SceneCompiler::compile_materials);
+    stage("Building BVH", &SceneCompiler::compile_geometry);
+    stage("Volumes", &SceneCompiler::compile_media);
+    stage("Lights", &SceneCompiler::compile_lights);
+  } catch (const Cancelled&) {
+    return nullptr;
+  }
   if (compiler.is_cancelled()) return nullptr;
   return scene;
 }

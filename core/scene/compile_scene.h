@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "math/cancellation.h"
 #include "scene/description.h"
 #include "scene/diagnostics.h"
 #include "scene/scene.h"
@@ -12,7 +13,7 @@
 namespace tenniel {
 
 struct CompileControl {
-  const std::atomic<bool>* cancelled = nullptr;     // polled between steps and inside the BVH build
+  const std::atomic<bool>* cancelled = nullptr;     // polled in whatever may take long
   std::function<void(const char* stage)> on_stage;  // called on the compiling thread
 };
 
@@ -51,6 +52,7 @@ struct SceneCompiler {
   const WorldDesc& world_desc(WorldIndex w) const;
 
   bool is_cancelled() const { return control.cancelled && control.cancelled->load(); }
+  Cancellation cancellation() const { return Cancellation(control.cancelled); }
 };
 
 }  // namespace tenniel

@@ -220,5 +220,20 @@ TEST(CompileScene, CancelGivesNoScene) {
   EXPECT_FALSE(compile_scene(b.scene, diagnostics, {&cancelled, {}}));
 }
 
+TEST(CompileScene, CancelIsHeardInEveryStage) {
+  SceneBuilder b;
+  b.object(sphere(), diffuse(0.5f));
+  std::vector<std::string> stages;
+  Diagnostics diagnostics;
+  const auto note = [&](const char* stage) { stages.emplace_back(stage); };
+  EXPECT_TRUE(compile_scene(b.scene, diagnostics, {nullptr, note}));
+  ASSERT_GT(stages.size(), 3u);
+  for (const std::string& last : stages) {
+    std::atomic<bool> cancelled{false};
+    const auto cancel = [&](const char* stage) { cancelled = last == stage; };
+    EXPECT_FALSE(compile_scene(b.scene, diagnostics, {&cancelled, cancel})) << last;
+  }
+}
+
 }  // namespace
 }  // namespace tenniel

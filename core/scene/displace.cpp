@@ -85,7 +85,7 @@ Vec3 offset_at(const Scene& scene, const Material& material, const SurfaceIntera
 
 // New positions; returns how many vertices had none that distances can be taken of.
 uint32_t move_vertices(const Scene& scene, const Instance& user, const Mesh& mesh,
-                       std::vector<Vec3>& positions) {
+                       std::vector<Vec3>& positions, const Cancellation& cancellation) {
   const std::vector<FaceCorner> corners = corners_to_move(scene, user, mesh);
   std::atomic<uint32_t> broken{0};
   tbb::parallel_for(
@@ -93,6 +93,7 @@ uint32_t move_vertices(const Scene& scene, const Instance& user, const Mesh& mes
         ShadingContext context;
         context.reserve(scene.register_count);
         for (size_t i = r.begin(); i < r.end(); ++i) {
+          cancellation.check();
           if (corners[i].face == FaceCorner::k_none) continue;
           const Material& material = material_of(scene, user, mesh, corners[i].face);
           const Vec3 moved =
@@ -111,11 +112,12 @@ uint32_t move_vertices(const Scene& scene, const Instance& user, const Mesh& mes
 // mesh has normals by corner one for all that were equal.
 class SharedNormals {
  public:
-  explicit SharedNormals(const Mesh& mesh) : mesh_(mesh) {
+  SharedNormals(const Mesh& mesh, const Cancellation& cancellation) : mesh_(mesh) {
     if (mesh.corner_normals.empty()) return;
     of_corner_.assign(mesh.corner_normals.size(), 0);
     std::map<std::tuple<uint32_t, float, float, float>, uint32_t> ids;
     for (size_t i = 0; i < mesh.face_vertices.size(); ++i) {
+      cancellation.check();
       const uint32_t corner = mesh.face_corners[i];
       const Vec3 n = mesh.corner_normals[corner];
       const auto next = static_cast<uint32_t>(ids.size());
@@ -142,13 +144,15 @@ Vec3 triangle_normal(const Mesh& mesh, const FaceTriangle& t) {
 }
 
 // As Cycles: the mean of the triangles around, each counted once whatever its size or angle.
-void follow_with_normals(const Scene& scene, const Instance& user, Mesh& mesh) {
+void follow_with_normals(const Scene& scene, const Instance& user, Mesh& mesh,
+                         const Cancellation& cancellation) {
   auto& normals = mesh.corner_normals.empty() ? mesh.vertex_normals : mesh.corner_normals;
   if (normals.empty()) return;
-  const SharedNormals shared(mesh);
+  const SharedNormals shared(mesh, cancellation);
   std::vector<Vec3> sums(shared.count());
   const auto each_triangle = [&](const auto& visit) {
     for (uint32_t face = 0; face < mesh.face_count(); ++face) {
+      cancellation.check();
       const Material& material = material_of(scene, user, mesh, face);
       if (!material.displaces || material.displacement_method == DisplacementMethod::both) continue;
       for (int half = 0; half < mesh.corners_per_face - 2; ++half)
@@ -171,12 +175,13 @@ void follow_with_normals(const Scene& scene, const Instance& user, Mesh& mesh) {
 
 }  // namespace
 
-void displace(const Scene& scene, const Instance& user, Mesh& mesh, Diagnostics& diagnostics) {
+void displace(const Scene& scene, const Instance& user, Mesh& mesh, Diagnostics& diagnostics,
+              const Cancellation& cancellation) {
   if (!is_displaced(scene, user)) return;
   std::vector<Vec3> positions = mesh.positions;
-  const uint32_t broken = move_vertices(scene, user, mesh, positions);
+  const uint32_t broken = move_vertices(scene, user, mesh, positions, cancellation);
   mesh.undisplaced = std::exchange(mesh.positions, std::move(positions));
-  follow_with_normals(scene, user, mesh);
+  follow_with_normals(scene, user, mesh, cancellation);
   if (!all_have_the_materials_of(user, scene.instances))
     diagnostics.add(
         {"WARNING",

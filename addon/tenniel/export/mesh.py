@@ -51,14 +51,15 @@ def _describe(context, mesh, original, attribute_names, has_slots):
     core = context.core
     desc = core.MeshDesc()
     desc.name = mesh.name
-    _set_topology(core, desc, mesh)
+    _set_topology(context, desc, mesh)
     if has_slots:
-        desc.material_indices = _filled(core.IntBuffer(len(mesh.polygons)),
+        desc.material_indices = _filled(context, core.IntBuffer(len(mesh.polygons)),
                                         mesh.polygons, 'material_index')
-    _set_normals(core, desc, mesh)
-    desc.attributes = _attributes(core, mesh, original, attribute_names)
+    _set_normals(context, desc, mesh)
+    desc.attributes = _attributes(context, mesh, original, attribute_names)
     if {ISLAND, POINTINESS} & attribute_names or any(a.domain == 'EDGE' for a in desc.attributes):
-        desc.edge_vertices = _filled(core.UIntBuffer(2 * len(mesh.edges)), mesh.edges, 'vertices')
+        desc.edge_vertices = _filled(context, core.UIntBuffer(2 * len(mesh.edges)),
+                                     mesh.edges, 'vertices')
     # Modifiers leave it as it was, but the mesh they make may have lost it.
     source = original or mesh
     desc.texture_space_location = tuple(source.texspace_location)
@@ -66,25 +67,35 @@ def _describe(context, mesh, original, attribute_names, has_slots):
     return desc
 
 
-def _filled(buffer, collection, name):
+def _filled(context, buffer, collection, name):
+    """An array of a mesh of millions takes as long as a cancel may, so each asks first."""
+    context.check_break()
     collection.foreach_get(name, buffer)
     return buffer
 
 
-def _set_topology(core, desc, mesh):
+def _set_topology(context, desc, mesh):
+    core = context.core
     mesh.calc_loop_triangles()
-    desc.positions = _filled(core.FloatBuffer(3 * len(mesh.vertices)), mesh.vertices, 'co')
-    desc.corner_vertices = _filled(core.UIntBuffer(len(mesh.loops)), mesh.loops, 'vertex_index')
-    desc.polygon_starts = _filled(core.IntBuffer(len(mesh.polygons)), mesh.polygons, 'loop_start')
-    desc.polygon_sizes = _filled(core.IntBuffer(len(mesh.polygons)), mesh.polygons, 'loop_total')
-    desc.triangle_corners = _filled(core.UIntBuffer(3 * len(mesh.loop_triangles)),
+    desc.positions = _filled(context, core.FloatBuffer(3 * len(mesh.vertices)),
+                             mesh.vertices, 'co')
+    desc.corner_vertices = _filled(context, core.UIntBuffer(len(mesh.loops)),
+                                   mesh.loops, 'vertex_index')
+    desc.polygon_starts = _filled(context, core.IntBuffer(len(mesh.polygons)),
+                                  mesh.polygons, 'loop_start')
+    desc.polygon_sizes = _filled(context, core.IntBuffer(len(mesh.polygons)),
+                                 mesh.polygons, 'loop_total')
+    desc.triangle_corners = _filled(context, core.UIntBuffer(3 * len(mesh.loop_triangles)),
                                     mesh.loop_triangles, 'loops')
 
 
-def _set_normals(core, desc, mesh):
+def _set_normals(context, desc, mesh):
     # Those of vertices are the core's to make: Blender's depend on its threads in their last bits.
-    smooth = _filled(core.ByteBuffer(len(mesh.polygons)), mesh.polygons, 'use_smooth')
+    core = context.core
+    smooth = _filled(context, core.ByteBuffer(len(mesh.polygons)),
+                     mesh.polygons, 'use_smooth')
     desc.smooth_flags = smooth
+    context.check_break()
     if compat.needs_corner_normals(mesh):
         desc.corner_normals = core.FloatBuffer(3 * len(mesh.loops))
         compat.read_corner_normals(mesh, desc.corner_normals)
@@ -94,9 +105,10 @@ def _set_normals(core, desc, mesh):
 
 # Attributes --------------------------------------------------------------------------------------
 
-def _attributes(core, mesh, original, names):
-    found = []
+def _attributes(context, mesh, original, names):
+    core, found = context.core, []
     for name in sorted(names - {ISLAND, POINTINESS}):
+        context.check_break()
         if name == GENERATED:
             desc = _undeformed(core, mesh, original)
         else:
