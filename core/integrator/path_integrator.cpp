@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/path_integrator.h"
 
-#include <memory>
+#include <new>
 
 #include "integrator/direct_light.h"
 #include "integrator/limits.h"
@@ -134,10 +134,11 @@ void PathTracer::add_to_pixel(Spectrum seen, bool is_through_glass) {
   if (is_through_glass) result_.dream_radiance += seen;
 }
 
-// Makes the interaction in its place: what is built elsewhere and copied costs as much again.
+// Makes the interaction in its place: std::construct_at would take a copy of it, which waits for
+// every number to reach memory.
 const SurfaceInteraction& PathTracer::arrive(const Hit& hit) {
   SurfaceInteraction* at = &worker_.surface.surface;
-  std::construct_at(at, scene_.interaction(state_.ray, hit, state_.cone.radius_at(hit.t)));
+  ::new (at) SurfaceInteraction(scene_.interaction(state_.ray, hit, state_.cone.radius_at(hit.t)));
   at->t += state_.length_before;
   return *at;
 }
