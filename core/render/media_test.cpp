@@ -206,11 +206,13 @@ const FurnaceCase k_furnaces[] = {
      }},
     {"many",
      [](SceneBuilder& b) {
-       for (int i = 0; i < 27; ++i)
+       for (int i = 0; i < 27; ++i) {
+         const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
          b.object(sphere(),
                   scatter(2.0f + 0.3f * static_cast<float>(i), 0.05f * static_cast<float>(i - 13)),
-                  at(0.6f * static_cast<float>(i % 3 - 1), 0.6f * static_cast<float>(i / 3 % 3 - 1),
-                     0.6f * static_cast<float>(i / 9 - 1), 0.35f));
+                  at(0.6f * static_cast<float>(x), 0.6f * static_cast<float>(y),
+                     0.6f * static_cast<float>(z), 0.35f));
+       }
      }},
     {"camera_inside",
      [](SceneBuilder& b) { b.object(sphere(), scatter(0.3f, 0.3f), at(0.0f, 0.0f, 0.0f, 7.0f)); }},
