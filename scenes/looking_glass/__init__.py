@@ -20,11 +20,13 @@ def build(scene, evening=False, dreaming=True):
     """`evening` lights candles; without `dreaming` the glass is a mirror like any other."""
     parts.render_settings(scene, 1280, 720, samples=SAMPLES, volume_bounces=4,
                           sample_clamp_indirect=3.0)
-    parts.camera((0.17, -1.75, 0.44), (0.015, 0.0, 0.192), focal_length=57.0, f_stop=18.0,
+    parts.camera((0.17, -1.75, 0.44), (0.015, 0.0, 0.192), focal_length=54.0, f_stop=18.0,
                  focus=(0.0, 0.15, 0.2))
     looks = Looks()
     light.build(scene, evening)
     room.build(looks)
+    if not dreaming:
+        room.build_opposite(looks)
     mirror.build(looks, dreaming)
     candle.build(looks, lit=evening)
     chess.build(looks)

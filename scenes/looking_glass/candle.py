@@ -23,11 +23,31 @@ def build(looks, lit):
     flame = shapes.lathe(
         "Flame", shapes.smooth_profile([(0.0, 0.0), (0.0042, 0.006), (0.0050, 0.012),
                                         (0.0030, 0.024), (0.0, 0.036)]),
-        parts.emission("Flame", (1.0, 0.52, 0.16), 60.0), segments=24, location=(x, y, 0.242))
-    glow = parts.point_light("Candle light", (x, y, 0.258), 0.007, power=7.0 if lit else 1.6,
+        fire(), segments=24, location=(x, y, 0.242))
+    glow = parts.point_light("Candle light", (x, y, 0.258), 0.007, power=12.0 if lit else 1.6,
                              color=(1.0, 0.58, 0.24))
     glow.visible_camera = False
     glow.visible_glossy = False
     flame.visible_shadow = False
     if not lit:
         parts.send_behind_mirror(flame, glow)
+
+
+def fire():
+    """Blue where it leaves the wick, then bright, orange at its tip and where it is seen aslant."""
+    material, nodes = parts.new_material("Flame")
+    height = nodes.add("SeparateXYZ", {0: nodes.add("TexCoord").outputs["Object"]}).outputs["Z"]
+    ramp = nodes.add("ValToRGB", {"Fac": nodes.add("MapRange", {"Value": height,
+                                                                "From Max": 0.036})})
+    bands = ((0.0, (0.02, 0.05, 0.30)), (0.16, (0.60, 0.22, 0.04)), (0.40, (1.0, 0.52, 0.16)),
+             (1.0, (0.80, 0.22, 0.02)))
+    elements = ramp.color_ramp.elements
+    while len(elements) < len(bands):
+        elements.new(0.5)
+    for element, (place, color) in zip(elements, bands):
+        element.position, element.color = place, (*color, 1.0)
+    aslant = nodes.add("LayerWeight", {"Blend": 0.5}).outputs["Facing"]
+    strength = nodes.add("MapRange", {"Value": aslant, "From Min": 0.1, "From Max": 0.8,
+                                      "To Min": 14.0, "To Max": 2.5})
+    nodes.surface(nodes.add("Emission", {"Color": ramp, "Strength": strength}))
+    return material

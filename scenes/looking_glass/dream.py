@@ -4,6 +4,8 @@
 import parts
 import shapes
 
+from .layout import seen_at
+
 BOARD_SQUARE = 0.13
 
 
@@ -38,14 +40,14 @@ def hills():
 
 
 def moon():
-    """Larger than any real one; its seas are noise."""
+    """Larger than any real one, it rises behind the rabbit's ears; its seas are noise."""
     material, nodes = parts.new_material("Moon")
     seas = nodes.add("TexNoise", {"Vector": nodes.add("TexCoord").outputs["Object"], "Scale": 0.9,
                                   "Detail": 5.0})
     color = nodes.add("ValToRGB", {"Fac": seas})
     first, last = color.color_ramp.elements
-    first.position, first.color = 0.40, (0.62, 0.42, 0.26, 1.0)
-    last.position, last.color = 0.58, (1.0, 0.88, 0.62, 1.0)
-    nodes.surface(nodes.add("Emission", {"Color": color, "Strength": 0.72}))
-    disc = shapes.sphere("Moon", 2.1, material, 96, location=(-1.7, -30.0, 2.3))
+    first.position, first.color = 0.40, (0.80, 0.40, 0.13, 1.0)
+    last.position, last.color = 0.58, (1.0, 0.68, 0.28, 1.0)
+    nodes.surface(nodes.add("Emission", {"Color": color, "Strength": 0.85}))
+    disc = shapes.sphere("Moon", 1.4, material, 96, location=seen_at(0.066, 0.333, -30.0))
     parts.send_behind_mirror(disc)

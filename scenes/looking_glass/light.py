@@ -49,7 +49,7 @@ def window_bars(centre, turn=-51.0):
 def evening_light():
     """Night outside; candles, and a lamp in the next room."""
     parts.set_world_hdri("night", strength=0.5, turn=degrees(60))
-    glow = parts.area_light("Ballroom", (1.3, -0.9, 0.8), (0.0, 0.0, 0.12), (0.5, 0.9), power=34.0,
+    glow = parts.area_light("Ballroom", (1.3, -0.9, 0.8), (0.0, 0.0, 0.12), (0.5, 0.9), power=55.0,
                             color=(1.0, 0.55, 0.25))
     moon = parts.area_light("Moon", (-1.6, -0.9, 1.2), (0.0, 0.0, 0.1), (0.5, 0.8), power=14.0,
                             color=(0.35, 0.50, 1.0))
