@@ -62,7 +62,7 @@ def chardonnay():
 @exhibit("Liquids", "Apple juice, cranberry juice, beer, milk and coffee by their measured values, "
                     "in drops of five centimetres.", samples=128)
 def liquids():
-    bright_studio(4.4, 0.40)
+    bright_studio(5.0, 0.45)
     names = ("Apple Juice", "Cranberry Juice", "Budweiser Beer", "Lowfat Soy Milk", "Espresso")
     for name, x in zip(names, stage.row(len(names), 0.9)):
         shapes.sphere(name, 0.42, filled(name, name, 0.06, 1.33), segments=96,
@@ -70,7 +70,7 @@ def liquids():
 
 
 @exhibit("Marble", "Light that enters, wanders below the polish and leaves elsewhere: measured "
-                   "marble, as pieces of two, one and half a centimetre.", samples=64)
+                   "marble, as pieces of two, one and half a centimetre.", samples=160)
 def marble():
     bright_studio(3.0, 0.62)
     for scale, x in zip((0.02, 0.01, 0.005), stage.row(3, 1.0)):

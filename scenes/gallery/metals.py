@@ -50,11 +50,11 @@ def aluminium_rough():
 def metals():
     surroundings("interior", 1.0, 150.0)
     names = list(METALS)
-    for index, name in enumerate(names):
-        place = stage.row(7 if index < 7 else 6, 0.86)[index % 7]
-        shapes.sphere(name, 0.38, metal(name, 0.12),
-                      location=(place, 0.35 if index < 7 else -0.45, 0.38))
-    stage.view(5.6, 0.36, 0.36)
+    for count, y in ((4, 0.9), (5, 0.0), (4, -0.9)):
+        for x in stage.row(count, 0.95):
+            name = names.pop(0)
+            shapes.sphere(name, 0.41, metal(name, 0.12), location=(x, y, 0.41))
+    stage.view(5.1, 0.40, 0.55)
 
 
 @exhibit("Rough glass", "Glass of index 1.5 at roughness 0, 0.15, 0.3 and 0.5 before a grid.",
