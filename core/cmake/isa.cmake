@@ -62,11 +62,13 @@ endfunction()
 
 # One executable a module, so that a change in one is tested without linking the rest again.
 function(tenniel_add_tests level)
+  add_custom_target(unit_tests)
   foreach(module IN LISTS TENNIEL_MODULES)
     file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${module}/*_test.cpp)
     if(tests)
       add_executable(${module}_test ${tests})
       target_link_libraries(${module}_test PRIVATE tenniel_${module}_${level} GTest::gtest_main)
+      add_dependencies(unit_tests ${module}_test)
       # Suites named *Statistics* draw many samples; everything else is quick.
       gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60
         TEST_FILTER "-*Statistics*" PROPERTIES LABELS unit)
