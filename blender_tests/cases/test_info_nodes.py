@@ -125,6 +125,37 @@ class ParticleTest(RenderTestCase):
                                    absolute=1e-3, seeds=2, max_noise=0.02)
 
 
+class InstancerTest(RenderTestCase):
+    """Coordinates that an instancer gives: one value for each of its instances."""
+
+    def spread(self, material):
+        """Small planes on the faces of a tilted ground with UVs."""
+        vertices = [(x - 2.0, y - 1.5, 0.3 * x) for y in range(4) for x in range(5)]
+        faces = [(5 * y + x, 5 * y + x + 1, 5 * y + x + 6, 5 * y + x + 5)
+                 for y in range(3) for x in range(4)]
+        uv = [(vertices[v][0] / 5.0 + 0.5, vertices[v][1] ** 2 / 4.0) for f in faces for v in f]
+        ground = scene_factory.link(self.scene, scene_factory.mesh(
+            "Ground", vertices, faces, uv=uv), rotation=(0, 0, 20))
+        grain = scene_factory.plane(self.scene, 0.7, material)
+        grain.parent = ground
+        ground.instance_type = "FACES"
+        ground.show_instancer_for_render = False
+        scene_factory.top_camera(self.scene, 5.0)
+
+    def test_from_instancer(self):
+        for node, outputs in (("ShaderNodeTexCoord", ("Generated", "UV")),
+                              ("ShaderNodeUVMap", ("UV",))):
+            for output in outputs:
+                for chosen in (True, False):
+                    with self.subTest(f"{node} {output} {chosen}"):
+                        self.setUp()
+                        self.spread(emission_of("coordinate", lambda n: n.add(
+                            node, {"from_instancer": chosen}).outputs[output]))
+                        self.assert_agrees(f"{node} {output} {chosen}", samples=32,
+                                           resolution=(40, 40), block=8, absolute=2e-3, seeds=2,
+                                           max_noise=0.03)
+
+
 class LampNodeTest(RenderTestCase):
 
     def lit_ground(self, kind, build, **settings):
