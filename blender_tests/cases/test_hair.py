@@ -242,3 +242,43 @@ class ShadingTest(HairCase):
     def test_principled_hair_under_a_sun(self):
         for shape in ("RIBBONS", "THICK"):
             self.lit("principled", shape, False, max_bounces=0, samples=48, seeds=2)
+
+
+class TransparentTest(HairCase):
+    """Hair that lets light through: to the camera, and in its shadows."""
+
+    @staticmethod
+    def make(color, mixed=True):
+        def closure(nodes):
+            clear = nodes.add("ShaderNodeBsdfTransparent", None, {"Color": color})
+            if not mixed:
+                return clear
+            lit = nodes.add("ShaderNodeBsdfDiffuse", None, {"Color": (0.6, 0.4, 0.3)})
+            return nodes.add("ShaderNodeMixShader", None, {0: 0.5, 1: clear, 2: lit})
+        return scene_factory.node_material("clear", closure)
+
+    def over_floor(self, material, shape, **settings):
+        """The tuft, and a floor under it that its shadows fall on."""
+        skin = self.tuft(material, 120, drawn=shape, **settings)
+        skin.location.z = 0.2
+        scene_factory.plane(self.scene, 6.0, scene_factory.diffuse((0.8, 0.8, 0.8)), "Floor")
+        return skin
+
+    def test_seen_through(self):
+        """Against a glowing World: what passes hairs on its way to the camera."""
+        for shape in ("RIBBONS", "THICK"):
+            with self.subTest(shape):
+                self.setUp()
+                self.tuft(self.make((0.9, 0.7, 0.4), mixed=False), drawn=shape)
+                scene_factory.set_world(self.scene, (1.0, 1.0, 1.0))
+                self.check(shape, samples=64, seeds=2)
+
+    def test_shadows(self):
+        for shape in ("RIBBONS", "THICK"):
+            for mixed in (False, True):
+                with self.subTest(f"{shape} {mixed}"):
+                    self.setUp()
+                    self.over_floor(self.make((0.9, 0.7, 0.4), mixed), shape)
+                    self.lamp()
+                    self.check(f"{shape} {mixed}", samples=32, max_bounces=0,
+                               relative=0.01)

@@ -34,7 +34,7 @@ bool is_usable(const Ray& ray) {
   const Vec3 o = ray.origin, d = ray.direction;
   // One sum: anything NaN or infinite makes it fail.
   const float sum = std::abs(o.x) + std::abs(o.y) + std::abs(o.z) + std::abs(d.x) + std::abs(d.y) +
-                    std::abs(d.z) + std::abs(ray.t_min);
+                    std::abs(d.z) + std::abs(ray.t_min) + ray.behind;
   return sum < k_largest && ray.t_max == ray.t_max;
 }
 
@@ -45,26 +45,26 @@ bool is_usable(const Instance& instance) {
          std::abs(determinant) > std::numeric_limits<float>::min();
 }
 
-RTCRay to_embree(const Ray& ray, uint32_t mask) {
+RTCRay to_embree(const Ray& ray, uint32_t mask, float behind = 0.0f) {
   RTCRay r;
-  r.org_x = ray.origin.x;
-  r.org_y = ray.origin.y;
-  r.org_z = ray.origin.z;
-  r.tnear = ray.t_min;
+  r.org_x = ray.origin.x - behind * ray.direction.x;
+  r.org_y = ray.origin.y - behind * ray.direction.y;
+  r.org_z = ray.origin.z - behind * ray.direction.z;
+  r.tnear = ray.t_min + behind;
   r.dir_x = ray.direction.x;
   r.dir_y = ray.direction.y;
   r.dir_z = ray.direction.z;
   r.time = ray.time;
-  r.tfar = ray.t_max;
+  r.tfar = ray.t_max + behind;
   r.mask = mask;
   r.id = 0;
   r.flags = 0;
   return r;
 }
 
-RTCRayHit unanswered(const Ray& ray, uint32_t mask) {
+RTCRayHit unanswered(const Ray& ray, uint32_t mask, float behind = 0.0f) {
   RTCRayHit query;
-  query.ray = to_embree(ray, mask);
+  query.ray = to_embree(ray, mask, behind);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return query;
@@ -82,6 +82,7 @@ struct FilterContext {
   uint32_t instance = k_any_instance;  // the only one that counts
   std::span<Hit> hits{};
   size_t count = 0;
+  FaceId left{};  // does not count
 };
 
 FilterContext& context_of(const RTCFilterFunctionNArguments* args) {
@@ -92,6 +93,12 @@ FilterContext& context_of(const RTCFilterFunctionNArguments* args) {
 void keep_one_instance(const RTCFilterFunctionNArguments* args) {
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
   if (instance_of(*hit) != context_of(args).instance) args->valid[0] = 0;
+}
+
+void skip_face(const RTCFilterFunctionNArguments* args) {
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const FaceId left = context_of(args).left;
+  if (hit->primID == left.face && instance_of(*hit) == left.instance) args->valid[0] = 0;
 }
 
 // Notes each hit and takes none, so that the ray goes on to its end.
@@ -133,6 +140,7 @@ struct Accel::State {
   mutable std::atomic<uint64_t> rejected{0};
   std::string error;  // Embree's first complaint
   const std::atomic<bool>* cancelled = nullptr;
+  bool has_hairs = false;
   Device device;
   RtcScene top;
   std::vector<RtcScene> mesh_scenes;       // per mesh; null: world-space, empty or unused
@@ -144,8 +152,8 @@ struct Accel::State {
 
   void open_device();
   RtcScene new_scene() const;
-  Geometry new_mesh_geometry(const Mesh& mesh) const;
-  Geometry new_strand_geometry(const Mesh& mesh) const;
+  Geometry new_mesh_geometry(const Mesh& mesh);
+  Geometry new_strand_geometry(const Mesh& mesh);
   RTCScene mesh_scene(const Mesh& mesh, uint32_t index);
   void attach(const Instance& instance, uint32_t index, const Mesh& mesh);
   RTCScene alone(RTCGeometry geometry);
@@ -196,7 +204,7 @@ RtcScene Accel::State::new_scene() const {
   return scene;
 }
 
-Geometry Accel::State::new_mesh_geometry(const Mesh& mesh) const {
+Geometry Accel::State::new_mesh_geometry(const Mesh& mesh) {
   if (mesh.shape != Shape::faces) return new_strand_geometry(mesh);
   const bool quads = mesh.corners_per_face == 4;
   Geometry geometry(
@@ -221,7 +229,7 @@ Geometry Accel::State::new_mesh_geometry(const Mesh& mesh) const {
   return geometry;
 }
 
-Geometry Accel::State::new_strand_geometry(const Mesh& mesh) const {
+Geometry Accel::State::new_strand_geometry(const Mesh& mesh) {
   static_assert(sizeof(StrandKey) == 4 * sizeof(float));
   const Strands& strands = mesh.strands;
   Geometry geometry(rtcNewGeometry(device.get(), geometry_type(mesh.shape)));
@@ -233,6 +241,7 @@ Geometry Accel::State::new_strand_geometry(const Mesh& mesh) const {
     rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
                                strands.segments.data(), 0, sizeof(uint32_t),
                                strands.segments.size());
+  has_hairs |= mesh.shape != Shape::spheres;
   if (mesh.shape == Shape::ribbons)
     rtcSetGeometryTessellationRate(g, static_cast<float>(strands.ribbon_pieces));
   if (mesh.shape == Shape::tubes) {
@@ -331,16 +340,21 @@ std::shared_ptr<const Accel> Accel::build(std::span<const Mesh> meshes,
   return accel;
 }
 
-std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask) const {
+std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask, FaceId left) const {
   if (!state_->top) return {};
   if (!state_->accepts(ray)) return {};
-  RTCRayHit query = unanswered(ray, mask);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(state_->top.get(), &context, &query);
+  const float behind = state_->has_hairs ? ray.behind : 0.0f;
+  RTCRayHit query = unanswered(ray, mask, behind);
+  FilterContext context;
+  rtcInitIntersectContext(&context.embree);
+  if (state_->has_hairs && left.is_known()) {
+    context.embree.filter = skip_face;
+    context.left = left;
+  }
+  rtcIntersect1(state_->top.get(), &context.embree, &query);
   const RTCHit& hit = query.hit;
   if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return Hit{query.ray.tfar, hit.u, hit.v, hit.primID, instance_of(hit)};
+  return Hit{query.ray.tfar - behind, hit.u, hit.v, hit.primID, instance_of(hit)};
 }
 
 size_t Accel::intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const {

@@ -26,8 +26,10 @@ class Accel {
                                             const std::atomic<bool>& cancelled);
   ~Accel();
 
-  // Closest hit in (ray.t_min, ray.t_max) among what `mask` (see ray_mask) sees.
-  std::optional<Hit> intersect(const Ray& ray, uint32_t mask) const;
+  // Closest hit in (ray.t_min, ray.t_max) among what `mask` (see ray_mask) sees. Where there are
+  // hairs, the face that the ray has `left` by passing through it is not met again: pieces of a
+  // ribbon overlap where it bends.
+  std::optional<Hit> intersect(const Ray& ray, uint32_t mask, FaceId left = {}) const;
   bool occluded(const Ray& ray, uint32_t mask) const;
   // All hits, as many as `hits` holds, in no order; how many. A face counts once.
   size_t intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const;

@@ -20,6 +20,12 @@ struct Hit {
   uint32_t instance = 0;  // index into the scene's instances
 };
 
+struct FaceId {
+  uint32_t face = ~0u;
+  uint32_t instance = ~0u;
+  bool is_known() const { return instance != ~0u; }
+};
+
 // A point on a surface with what shading needs, in world space.
 struct SurfaceInteraction {
   Vec3 position;

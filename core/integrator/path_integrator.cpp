@@ -84,7 +84,7 @@ SampleResult PathTracer::trace(Vec2 raster) {
   if (!start(raster)) return result_;
   for (; state_.vertices < k_max_vertices; ++state_.vertices) {
     const uint32_t mask = ray_mask(state_.info.world, state_.info.kind);
-    const auto hit = scene_.accel->intersect(state_.ray, mask);
+    const auto hit = scene_.accel->intersect(state_.ray, mask, state_.left);
     add_lamps(hit ? hit->t : k_infinity);
     if (scene_.has_media) {
       const MediumEvent event = walk_media(hit ? hit->t : k_infinity);
@@ -323,6 +323,8 @@ bool PathTracer::pass_through(const SurfaceInteraction& at, Spectrum weight,
 bool PathTracer::pass_on(const SurfaceInteraction& at, const WorldGroup& group) {
   enter(group, at, state_.ray.direction);
   state_.cone.radius = at.footprint;
+  state_.ray.behind += at.t - state_.length_before;
+  state_.left = {at.face, static_cast<uint32_t>(at.instance - scene_.instances.data())};
   state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
   state_.ray.t_min = 0.0f;
   state_.ray.t_max -= at.t - state_.length_before;
@@ -367,6 +369,8 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.direction = sample->wi;
   state_.ray.t_min = 0.0f;
   state_.ray.t_max = k_infinity;
+  state_.ray.behind = 0.0f;
+  state_.left = {};
   state_.length_before = 0.0f;
   if (state_.ends_after_transparent) return survives(numbers_.roulette) && may_still_meet_light();
   return survives_bounce(at, *sample);

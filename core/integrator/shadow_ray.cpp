@@ -19,10 +19,12 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
   scratch.surface = at;
   begin_surface(scene, material, path, k_query_transparency, scratch);
   material.transparency.run(scratch);
-  return scratch.transparency;
+  // Blender's hairs cast grey shadows.
+  return is_on_hair(at) ? Spectrum(mean(scratch.transparency)) : scratch.transparency;
 }
 
 void start_anew(Ray& ray, Vec3 end, Vec3 origin) {
+  ray.behind += distance(ray.origin, origin);
   ray.origin = origin;
   ray.t_min = 0.0f;
   if (!(ray.t_max < k_infinity)) return;

@@ -57,6 +57,8 @@ MediumEvent VolumeWalk::advance(PathState& state, Worker& worker) const {
   state.min_pdf = std::min(state.min_pdf, s.eval.pdf);
   state.cone.radius = state.cone.radius_at(t);
   state.ray.origin = state.ray.at(t);
+  state.ray.behind = 0.0f;
+  state.left = {};
   state.ray.direction = s.wi;
   state.ray.t_min = state.skipped_before = 0.0f;
   state.ray.t_max = k_infinity;

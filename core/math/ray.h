@@ -16,6 +16,9 @@ struct Ray {
   float t_min = 0.0f;
   float t_max = k_infinity;
   float time = 0.0f;  // [0, 1] over the shutter
+  // Metres behind `origin` where the ray was before it passed through a surface. Embree overlooks
+  // ribbons nearer than two radii to where a ray starts; it is told of that place.
+  float behind = 0.0f;
 
   Vec3 at(float t) const { return origin + direction * t; }
 };
