@@ -8,6 +8,7 @@ import bpy
 from support import scene_factory
 from support.case import RenderTestCase
 from support.tile_grid import emission_of
+from cases.test_motion_blur import move, open_shutter
 
 
 def principled_hair(**inputs):
@@ -282,3 +283,31 @@ class TransparentTest(HairCase):
                     self.lamp()
                     self.check(f"{shape} {mixed}", samples=32, max_bounces=0,
                                relative=0.01)
+
+
+class PlaceTest(HairCase):
+    """Hair as an object among others: it moves, and not every ray sees it."""
+
+    def test_moving_object(self):
+        for shape in ("RIBBONS", "THICK"):
+            with self.subTest(shape):
+                self.setUp()
+                skin = self.tuft(scene_factory.emission((0.2, 0.5, 1.0)), 80, drawn=shape)
+                move(skin, "location", at=[(-0.6, 0, 0), (0, 0, 0), (0.3, 0, 0.3)])
+                open_shutter(self.scene)
+                self.check(shape, seeds=2)
+
+    def test_ray_visibility(self):
+        """In a mirror below it, by its shadow on a wall, and seen as it is."""
+        for hidden_from in ("camera", "glossy", "shadow"):
+            with self.subTest(hidden_from):
+                self.setUp()
+                skin = self.tuft(scene_factory.diffuse((0.7, 0.4, 0.2)), 80)
+                skin.location.z = 0.1
+                setattr(skin, f"visible_{hidden_from}", False)
+                scene_factory.plane(self.scene, 6.0, scene_factory.mirror((0.8, 0.8, 0.8)),
+                                    "Floor")
+                scene_factory.plane(self.scene, 6.0, scene_factory.diffuse(), "Wall",
+                                    location=(0, 1.5, 0), rotation=(90, 0, 0))
+                self.lamp()
+                self.check(hidden_from, samples=128, seeds=2, relative=0.01, max_bounces=1)
