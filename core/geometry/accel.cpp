@@ -83,6 +83,7 @@ struct FilterContext {
   std::span<Hit> hits{};
   size_t count = 0;
   FaceId left{};  // does not count
+  Accel::Blocker* blocker = nullptr;
 };
 
 FilterContext& context_of(const RTCFilterFunctionNArguments* args) {
@@ -115,6 +116,13 @@ void collect(const RTCFilterFunctionNArguments* args) {
   });
   if (is_known || context.count == context.hits.size()) return;
   context.hits[context.count++] = {ray->tfar, hit->u, hit->v, hit->primID, instance};
+}
+
+void ask_blocker(const RTCFilterFunctionNArguments* args) {
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  const Hit met{ray->tfar, hit->u, hit->v, hit->primID, instance_of(*hit)};
+  if (!context_of(args).blocker->blocks(met)) args->valid[0] = 0;
 }
 
 // A tube is seen from outside alone: what has gone in comes out unhindered, as in Cycles.
@@ -376,6 +384,18 @@ bool Accel::occluded(const Ray& ray, uint32_t mask) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(state_->top.get(), &context, &query);
+  return query.tfar < 0.0f;
+}
+
+bool Accel::occluded(const Ray& ray, uint32_t mask, Blocker& blocker) const {
+  if (!state_->top) return false;
+  if (!state_->accepts(ray)) return false;
+  RTCRay query = to_embree(ray, mask);
+  FilterContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = ask_blocker;
+  context.blocker = &blocker;
+  rtcOccluded1(state_->top.get(), &context.embree, &query);
   return query.tfar < 0.0f;
 }
 

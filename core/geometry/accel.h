@@ -31,6 +31,16 @@ class Accel {
   // ribbon overlap where it bends.
   std::optional<Hit> intersect(const Ray& ray, uint32_t mask, FaceId left = {}) const;
   bool occluded(const Ray& ray, uint32_t mask) const;
+  // Asked of the faces that a ray meets, in no order, until one blocks it. A face may come twice: on
+  // the diagonal of a quad, where pieces of a ribbon overlap.
+  class Blocker {
+   public:
+    virtual bool blocks(const Hit& hit) = 0;
+
+   protected:
+    ~Blocker() = default;
+  };
+  bool occluded(const Ray& ray, uint32_t mask, Blocker& blocker) const;
   // All hits, as many as `hits` holds, in no order; how many. A face counts once.
   size_t intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const;
   // Closest hit with one instance only, whatever its mask. `world_to_object`: where it stands at

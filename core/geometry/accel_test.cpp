@@ -109,6 +109,42 @@ TEST(Accel, IntersectAllFindsCoincidentFaces) {
   }
 }
 
+// Notes what it is asked of, and lets the ray pass all instances but one.
+struct OneBlocks final : Accel::Blocker {
+  explicit OneBlocks(uint32_t which) : instance(which) {}
+  bool blocks(const Hit& hit) override {
+    met.push_back(hit);
+    return hit.instance == instance;
+  }
+  uint32_t instance;
+  std::vector<Hit> met;
+};
+
+TEST(Accel, AsksABlockerOfEachFace) {
+  World w;
+  w.meshes.push_back(square(0));
+  for (int i = 0; i < 3; ++i)
+    w.instances.push_back(
+        place(0, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -static_cast<float>(i)}}));
+  w.instances[2].visibility.bits = 2u;
+  w.build();
+  Ray ray{{0.3f, 0.6f, 1.0f}, {0.0f, 0.0f, -1.0f}};
+  OneBlocks none(9);
+  EXPECT_FALSE(w.accel->occluded(ray, 1u, none));
+  ASSERT_EQ(none.met.size(), 2u) << "the third is not seen by this kind";
+  for (const Hit& hit : none.met)
+    EXPECT_FLOAT_EQ(hit.t, 1.0f + static_cast<float>(hit.instance));
+  for (const uint32_t which : {0u, 1u}) {
+    OneBlocks one(which);
+    EXPECT_TRUE(w.accel->occluded(ray, 1u, one));
+    EXPECT_EQ(one.met.back().instance, which) << "asked no more";
+  }
+  ray.t_max = 1.5f;
+  OneBlocks second(1);
+  EXPECT_FALSE(w.accel->occluded(ray, 1u, second));
+  EXPECT_EQ(second.met.size(), 1u);
+}
+
 // The position as an attribute comes back as the position, on both halves of either diagonal.
 TEST(Accel, QuadBarycentricsAgreeWithTheHitPoint) {
   for (const int first_of_fan : {0, 1}) {

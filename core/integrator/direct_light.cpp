@@ -113,7 +113,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
       path.world = group.world;
       result *= media_transmittance(scene, settings, ray, start, path, worker.light);
     } else {
-      result *= transmittance(scene, settings, ray, group.world, state.info, worker.light);
+      result *= transmittance(scene, settings, ray, group.world, state.info, worker);
     }
   }
   return result;

@@ -1,7 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/shadow_ray.h"
 
+#include <algorithm>
+#include <span>
+#include <tuple>
+
 namespace tenniel {
+
+namespace {
+
+// Notes the faces that may let a ray pass: one search finds them all, or the first that does not.
+class TransparentFaces final : public Accel::Blocker {
+ public:
+  TransparentFaces(const Scene& scene, WorldIndex world, std::span<Hit> room)
+      : scene_(scene), world_(world), hits_(room) {}
+
+  bool blocks(const Hit& hit) override {
+    const Material& material = scene_.material_at(hit, world_);
+    if (!material.is_transparent || !material.use_transparent_shadow) return true;
+    if (is_known(hit)) return false;
+    if (count_ == hits_.size()) return true;
+    hits_[count_++] = hit;
+    return false;
+  }
+
+  // In one order always: their product is rounded.
+  std::span<const Hit> from_near_to_far() {
+    const auto met = hits_.first(count_);
+    std::sort(met.begin(), met.end(), [](const Hit& a, const Hit& b) {
+      return std::tie(a.t, a.instance, a.face) < std::tie(b.t, b.instance, b.face);
+    });
+    return met;
+  }
+
+ private:
+  bool is_known(const Hit& hit) const {
+    const auto met = hits_.first(count_);
+    return std::any_of(met.begin(), met.end(), [&](const Hit& h) {
+      return h.face == hit.face && h.instance == hit.instance;
+    });
+  }
+
+  const Scene& scene_;
+  const WorldIndex world_;
+  const std::span<Hit> hits_;
+  size_t count_ = 0;
+};
+
+}  // namespace
 
 Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi) {
   if (is_on_hair(at)) return offset_ray_origin(at, wi);
@@ -34,28 +80,24 @@ void start_anew(Ray& ray, Vec3 end, Vec3 origin) {
 }
 
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
-                       WorldIndex world, const PathInfo& path, ShadingContext& scratch) {
+                       WorldIndex world, const PathInfo& path, Worker& worker) {
   const uint32_t mask = ray_mask(world, RayKind::shadow);
   if (!scene.has_transparent_shadows)
     return scene.accel->occluded(ray, mask) ? Spectrum() : Spectrum(1.0f);
-  const Vec3 end = ray.t_max < k_infinity ? ray.at(ray.t_max) : Vec3{};
-  Spectrum through(1.0f);
-  Ray rest = ray;
+  const int passes = settings.transparent_max_bounces - path.transparent_depth;
+  TransparentFaces faces(
+      scene, world, std::span(worker.shadow_hits).first(static_cast<size_t>(std::max(passes, 0))));
+  if (scene.accel->occluded(ray, mask, faces)) return {};
   PathInfo info = path;
   info.kind = RayKind::shadow;
   info.world = world;
   ++info.ray_depth;
-  while (const auto hit = scene.accel->intersect(rest, mask)) {
-    const SurfaceInteraction at = scene.interaction(rest, *hit, 0.0f);
-    const Material& material = scene.material_at(at, world);
-    const bool passes = material.is_transparent && material.use_transparent_shadow &&
-                        info.transparent_depth < settings.transparent_max_bounces;
-    if (!passes) return {};
-    through *= surface_transparency(scene, at, material, info, scratch);
+  Spectrum through(1.0f);
+  for (const Hit& hit : faces.from_near_to_far()) {
+    const SurfaceInteraction at = scene.interaction(ray, hit, 0.0f);
+    through *= surface_transparency(scene, at, scene.material_at(at, world), info, worker.light);
     if (!(max_component(through) > 0.0f)) return {};
     ++info.transparent_depth;
-    start_anew(rest, end, offset_ray_origin(at, rest.direction));
-    if (!(rest.t_max > 0.0f)) break;
   }
   return through;
 }

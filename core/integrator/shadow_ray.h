@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "integrator/worker.h"
 #include "scene/description.h"
 #include "scene/scene.h"
 
@@ -14,7 +15,7 @@ Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi);
 
 // Share of the light that reaches `ray.t_max` in `world`; surfaces dim it by their transparency.
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
-                       WorldIndex world, const PathInfo& path, ShadingContext& scratch);
+                       WorldIndex world, const PathInfo& path, Worker& worker);
 
 // What the surface at `at` lets through; black where it stops the light.
 Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,

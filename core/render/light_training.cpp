@@ -22,7 +22,7 @@ std::vector<RadianceRecord> trace_paths(const Scene& scene, const RenderSettings
                                         uint32_t task, const std::atomic<bool>& cancelled) {
   const FlushDenormals guard;
   std::vector<RadianceRecord> records;
-  Worker worker(scene, settings.seed);
+  Worker worker(scene, settings);
   PathRecorder recorder;
   worker.recorder = &recorder;
   const PathIntegrator integrator(scene, settings);

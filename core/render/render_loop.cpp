@@ -35,7 +35,7 @@ class RenderLoop {
         counters_(counters),
         on_tile_(on_tile),
         filter_(filter_of(settings)),
-        workers_([&scene, &settings] { return Worker(scene, settings.seed); }) {}
+        workers_([&scene, &settings] { return Worker(scene, settings); }) {}
 
   void run() {
     cache_ = learn_radiance(scene_, settings_, counters_.cancelled);

@@ -63,6 +63,10 @@ struct Scene final : RayQueries {
   const Material& material_at(const SurfaceInteraction& at, WorldIndex world) const {
     return materials[at.instance->material(at.mesh->material_slot(at.face), world)];
   }
+  const Material& material_at(const Hit& hit, WorldIndex world) const {
+    const Instance& instance = instances[hit.instance];
+    return materials[instance.material(meshes[instance.mesh].material_slot(hit.face), world)];
+  }
   // Calls what `interaction` reads first from memory.
   void prefetch(const Hit& hit) const { meshes[instances[hit.instance].mesh].prefetch(hit.face); }
   // World-space point and normals where `ray` met `hit`.
