@@ -10,6 +10,18 @@ namespace {
 
 constexpr int k_max_boundaries = 1024;
 
+// Lets `ray` go on from `origin` to the same `end`: beside its old way it might meet the light that
+// it comes from.
+void start_anew(Ray& ray, Vec3 end, Vec3 origin) {
+  ray.behind += distance(ray.origin, origin);
+  ray.origin = origin;
+  ray.t_min = 0.0f;
+  if (!(ray.t_max < k_infinity)) return;
+  const Vec3 rest = end - origin;
+  ray.t_max = dot(rest, ray.direction) > 0.0f ? length(rest) : 0.0f;
+  if (ray.t_max > 0.0f) ray.direction = rest / ray.t_max;
+}
+
 }  // namespace
 
 Spectrum media_transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,

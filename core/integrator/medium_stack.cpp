@@ -36,8 +36,7 @@ void probe(const Scene& scene, uint32_t instance, Vec3 point, WorldIndex world,
 }
 
 void cross(const Scene& scene, const SurfaceInteraction& at, WorldIndex world, MediumStack& media) {
-  const MediumStack::Entry entry{static_cast<uint32_t>(at.instance - scene.instances.data()),
-                                 at.mesh->material_slot(at.face)};
+  const MediumStack::Entry entry{scene.index_of(*at.instance), at.mesh->material_slot(at.face)};
   if (at.is_back_facing)
     media.leave(entry);
   else if (scene.material_at(at, world).has_volume)

@@ -324,7 +324,7 @@ bool PathTracer::pass_on(const SurfaceInteraction& at, const WorldGroup& group) 
   enter(group, at, state_.ray.direction);
   state_.cone.radius = at.footprint;
   state_.ray.behind += at.t - state_.length_before;
-  state_.left = {at.face, static_cast<uint32_t>(at.instance - scene_.instances.data())};
+  state_.left = {at.face, scene_.index_of(*at.instance)};
   state_.ray.origin = offset_ray_origin(at, state_.ray.direction);
   state_.ray.t_min = 0.0f;
   state_.ray.t_max -= at.t - state_.length_before;

@@ -69,16 +69,6 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
   return is_on_hair(at) ? Spectrum(mean(scratch.transparency)) : scratch.transparency;
 }
 
-void start_anew(Ray& ray, Vec3 end, Vec3 origin) {
-  ray.behind += distance(ray.origin, origin);
-  ray.origin = origin;
-  ray.t_min = 0.0f;
-  if (!(ray.t_max < k_infinity)) return;
-  const Vec3 rest = end - origin;
-  ray.t_max = dot(rest, ray.direction) > 0.0f ? length(rest) : 0.0f;
-  if (ray.t_max > 0.0f) ray.direction = rest / ray.t_max;
-}
-
 Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
                        WorldIndex world, const PathInfo& path, Worker& worker) {
   const uint32_t mask = ray_mask(world, RayKind::shadow);

@@ -22,8 +22,4 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
                               const Material& material, const PathInfo& path,
                               ShadingContext& scratch);
 
-// Lets `ray` go on from `origin` to the same `end`: beside its old way it might meet the light that
-// it comes from.
-void start_anew(Ray& ray, Vec3 end, Vec3 origin);
-
 }  // namespace tenniel

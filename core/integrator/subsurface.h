@@ -34,9 +34,7 @@ struct SubsurfaceExit {
 class ObjectBelow {
  public:
   ObjectBelow(const Scene& scene, const SurfaceInteraction& at)
-      : scene_(scene),
-        instance_(static_cast<uint32_t>(at.instance - scene.instances.data())),
-        to_object_(at.world_to_object()) {}
+      : scene_(scene), instance_(scene.index_of(*at.instance)), to_object_(at.world_to_object()) {}
 
   std::optional<Hit> intersect(const Ray& ray) const {
     return scene_.accel->intersect_instance(ray, instance_, &to_object_);

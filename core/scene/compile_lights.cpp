@@ -81,8 +81,7 @@ float expected_emission(const Scene& scene, const Instance& instance, const Mate
     const Vec3 normal = normalize_or(cross(p[1] - p[0], p[2] - p[0]), {0.0f, 0.0f, 1.0f});
     const Vec3 center = (p[0] + p[1] + p[2]) / 3.0f;
     const Ray ray{center + normal, -normal};
-    const Hit hit{1.0f, 1.0f / 3.0f, 1.0f / 3.0f, f,
-                  static_cast<uint32_t>(&instance - scene.instances.data())};
+    const Hit hit{1.0f, 1.0f / 3.0f, 1.0f / 3.0f, f, scene.index_of(instance)};
     PathInfo path;
     path.kind = RayKind::diffuse;
     path.ray_depth = 1;

@@ -16,7 +16,7 @@ bool Scene::is_free(const SurfaceInteraction& from, Vec3 direction, float distan
   ray.t_max = distance;
   ray.time = from.time;
   if (!own_only) return !accel->occluded(ray, ray_mask(world, RayKind::shadow));
-  const auto own = static_cast<uint32_t>(from.instance - instances.data());
+  const uint32_t own = index_of(*from.instance);
   const Transform to_object = from.world_to_object();
   return !accel->intersect_instance(ray, own, &to_object);
 }
@@ -24,7 +24,7 @@ bool Scene::is_free(const SurfaceInteraction& from, Vec3 direction, float distan
 size_t Scene::own_hits(const SurfaceInteraction& from, const Ray& ray,
                        std::span<OwnHit> hits) const {
   if (!accel || !from.instance || !is_finite(ray.origin) || !is_finite(ray.direction)) return 0;
-  const auto own = static_cast<uint32_t>(from.instance - instances.data());
+  const uint32_t own = index_of(*from.instance);
   const Transform to_object = from.world_to_object();
   Ray rest = ray;
   rest.time = from.time;

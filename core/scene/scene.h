@@ -67,6 +67,9 @@ struct Scene final : RayQueries {
     const Instance& instance = instances[hit.instance];
     return materials[instance.material(meshes[instance.mesh].material_slot(hit.face), world)];
   }
+  uint32_t index_of(const Instance& instance) const {
+    return static_cast<uint32_t>(&instance - instances.data());
+  }
   // Calls what `interaction` reads first from memory.
   void prefetch(const Hit& hit) const { meshes[instances[hit.instance].mesh].prefetch(hit.face); }
   // World-space point and normals where `ray` met `hit`.
