@@ -8,6 +8,8 @@ SCENES = {
     "bench_room": "closed diffuse room, nine monkeys, 567 k triangles, one area lamp; for timing",
     "material_grid": "one sphere for each closure and texture, lit by an HDRI",
     "materials": "ten materials of many nodes: wood, brick, marble, rust, car paint, fabric, leather, ...",
+    "procedural_spheres": "every procedural texture through a ramp and a bump; for timing",
+    "textured_spheres": "balls and planks with colour, roughness and normals from pictures",
     "veach_mis": "four glossy plates under four lights: light and BSDF sampling must share",
     "cornell": "the Cornell box: colour bleeding and soft shadows from an emissive mesh",
 }
