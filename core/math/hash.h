@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
+#include "math/lanes.h"
 #include "math/numeric.h"
 
 // Bob Jenkins' lookup3 `final` mixing over 1 to 4 words: the hash behind Blender's procedural
@@ -10,11 +12,14 @@
 namespace tenniel {
 
 namespace detail {
-constexpr uint32_t rotate_left(uint32_t x, int k) {
-  return std::rotl(x, k);
+// The arithmetic below works on one word or, lane by lane, on a vector of them.
+template <class U>
+constexpr U rotate_left(U x, int k) {
+  return x << k | x >> (32 - k);
 }
 
-constexpr uint32_t jenkins_final(uint32_t a, uint32_t b, uint32_t c) {
+template <class U>
+constexpr U jenkins_final(U a, U b, U c) {
   c = (c ^ b) - rotate_left(b, 14);
   a = (a ^ c) - rotate_left(c, 11);
   b = (b ^ a) - rotate_left(a, 25);
@@ -30,21 +35,26 @@ constexpr uint32_t jenkins_seed(uint32_t n) {
 }
 }  // namespace detail
 
-constexpr uint32_t hash_uint(uint32_t x) {
-  const uint32_t s = detail::jenkins_seed(1);
+template <class U>
+constexpr U hash_uint(U x) {
+  const U s = U{} + detail::jenkins_seed(1);
   return detail::jenkins_final(s + x, s, s);
 }
-constexpr uint32_t hash_uint(uint32_t x, uint32_t y) {
-  const uint32_t s = detail::jenkins_seed(2);
+template <class U>
+constexpr U hash_uint(U x, std::type_identity_t<U> y) {
+  const U s = U{} + detail::jenkins_seed(2);
   return detail::jenkins_final(s + x, s + y, s);
 }
-constexpr uint32_t hash_uint(uint32_t x, uint32_t y, uint32_t z) {
-  const uint32_t s = detail::jenkins_seed(3);
+template <class U>
+constexpr U hash_uint(U x, std::type_identity_t<U> y, std::type_identity_t<U> z) {
+  const U s = U{} + detail::jenkins_seed(3);
   return detail::jenkins_final(s + x, s + y, s + z);
 }
-constexpr uint32_t hash_uint(uint32_t x, uint32_t y, uint32_t z, uint32_t w) {
-  const uint32_t s = detail::jenkins_seed(4);
-  uint32_t a = s + x, b = s + y, c = s + z;
+template <class U>
+constexpr U hash_uint(U x, std::type_identity_t<U> y, std::type_identity_t<U> z,
+                      std::type_identity_t<U> w) {
+  const U s = U{} + detail::jenkins_seed(4);
+  U a = s + x, b = s + y, c = s + z;
   a = (a - c) ^ detail::rotate_left(c, 4);
   c += b;
   b = (b - a) ^ detail::rotate_left(a, 6);
@@ -76,14 +86,18 @@ constexpr U mix_bits(U x) {
 constexpr float uint_to_unit_closed(uint32_t h) {
   return static_cast<float>(h) * (1.0f / 4294967295.0f);
 }
+inline FloatLanes uint_to_unit_closed(UintLanes h) {
+  return __builtin_convertvector(h, FloatLanes) * (1.0f / 4294967295.0f);
+}
 // [0, 1): 24 bits.
 constexpr float uint_to_unit(uint32_t h) {
   return static_cast<float>(h >> 8) * 0x1p-24f;
 }
 
-template <class... Floats>
-float hash_float(Floats... k) {
-  return uint_to_unit_closed(hash_uint(float_bits(k)...));
+// Of floats or of lanes of them.
+template <class Float, class... Floats>
+Float hash_float(Float first, Floats... k) {
+  return uint_to_unit_closed(hash_uint(float_bits(first), float_bits(k)...));
 }
 
 }  // namespace tenniel

@@ -22,17 +22,22 @@ inline float random_of(const NoisePoint<4>& p) {
   return hash_float(p[0], p[1], p[2], p[3]);
 }
 
-inline NoisePoint<1> random_point_of(const NoisePoint<1>& p) {
-  return {random_of(p)};
+// `Float`: one number or lanes of them, each of another point.
+template <class Float>
+std::array<Float, 1> random_point_of(const std::array<Float, 1>& p) {
+  return {hash_float(p[0])};
 }
-inline NoisePoint<2> random_point_of(const NoisePoint<2>& p) {
-  return {hash_float(p[0], p[1]), hash_float(p[0], p[1], 1.0f)};
+template <class Float>
+std::array<Float, 2> random_point_of(const std::array<Float, 2>& p) {
+  return {hash_float(p[0], p[1]), hash_float(p[0], p[1], Float{} + 1.0f)};
 }
-inline NoisePoint<3> random_point_of(const NoisePoint<3>& p) {
-  return {hash_float(p[0], p[1], p[2]), hash_float(p[0], p[1], p[2], 1.0f),
-          hash_float(p[0], p[1], p[2], 2.0f)};
+template <class Float>
+std::array<Float, 3> random_point_of(const std::array<Float, 3>& p) {
+  return {hash_float(p[0], p[1], p[2]), hash_float(p[0], p[1], p[2], Float{} + 1.0f),
+          hash_float(p[0], p[1], p[2], Float{} + 2.0f)};
 }
-inline NoisePoint<4> random_point_of(const NoisePoint<4>& p) {
+template <class Float>
+std::array<Float, 4> random_point_of(const std::array<Float, 4>& p) {
   return {hash_float(p[0], p[1], p[2], p[3]), hash_float(p[3], p[0], p[1], p[2]),
           hash_float(p[2], p[3], p[0], p[1]), hash_float(p[1], p[2], p[3], p[0])};
 }

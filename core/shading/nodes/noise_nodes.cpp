@@ -90,7 +90,7 @@ struct VoronoiNode : DimensionalNode {
 
   void eval(ShadingContext& context) const {
     const VoronoiParameters v = {metric, context.get(exponent), context.get(randomness),
-                                 context.get(smoothness)};
+                                 context.get(smoothness), color.used()};
     with_coordinate(context, [&](const auto& p) {
       if (feature == VoronoiFeature::distance_to_edge)
         context.set(distance, voronoi_edge_distance(p, v));

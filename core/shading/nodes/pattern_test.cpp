@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "math/numeric.h"
 #include "shading/nodes/cell_hash.h"
@@ -193,6 +195,7 @@ TEST(Noise, SurvivesWhatIsNoCoordinate) {
   const float bad[] = {1e30f, -1e30f, std::numeric_limits<float>::infinity(), std::nanf("")};
   for (const float x : bad) {
     EXPECT_TRUE(std::isfinite(signed_noise(NoisePoint<3>{x, 0.5f, x})));
+    EXPECT_TRUE(std::isfinite(fractal_noise(NoisePoint<3>{x, 0.5f, x}, 9.5f, 0.5f)));
     EXPECT_TRUE(std::isfinite(checker({x, x, x})));
     EXPECT_NO_FATAL_FAILURE(brick({x, x, x}, {}));
     EXPECT_NO_FATAL_FAILURE(voronoi(VoronoiFeature::f1, NoisePoint<2>{x, 1.0f}, {}));
@@ -202,6 +205,77 @@ TEST(Noise, SurvivesWhatIsNoCoordinate) {
 TEST(Noise, WholeDetailAgreesWithItsLimit) {
   const NoisePoint<3> p = {0.3f, 1.7f, -2.2f};
   EXPECT_NEAR(fractal_noise(p, 2.9999f, 0.5f), fractal_noise(p, 3.0f, 0.5f), 1e-4f);
+}
+
+template <size_t n>
+void check_octaves(const NoisePoint<n>& p) {
+  float sum = 0.0f, amplitude = 1.0f, amplitudes = 0.0f;
+  NoisePoint<n> at = p;
+  for (int octave = 0; octave < 16; ++octave) {
+    sum += amplitude * unit_noise(at);
+    amplitudes += amplitude;
+    EXPECT_NEAR(fractal_noise(p, static_cast<float>(octave), 0.7f), sum / amplitudes, 1e-5f);
+    amplitude *= 0.7f;
+    for (float& x : at)
+      x *= 2.0f;
+  }
+}
+
+TEST(Noise, AddsAnyNumberOfOctaves) {
+  check_octaves<1>({-7.3f});
+  check_octaves<2>({1.9f, -0.4f});
+  check_octaves<3>({0.3f, 1.7f, -2.2f});
+  check_octaves<4>({0.3f, 1.7f, -2.2f, 12.6f});
+}
+
+// All distances from `p` to the points of the cells around its own, in order.
+template <size_t n>
+std::vector<float> sorted_distances(const NoisePoint<n>& p) {
+  size_t cells = 1;
+  for (size_t axis = 0; axis < n; ++axis)
+    cells *= 3;
+  std::vector<float> all;
+  for (size_t i = 0; i < cells; ++i) {
+    NoisePoint<n> cell;
+    size_t rest = i;
+    for (size_t axis = 0; axis < n; ++axis, rest /= 3)
+      cell[axis] = std::floor(p[axis]) + static_cast<float>(rest % 3) - 1.0f;
+    const NoisePoint<n> point = random_point_of(cell);
+    float squares = 0.0f;
+    for (size_t axis = 0; axis < n; ++axis)
+      squares += sqr(cell[axis] + point[axis] - p[axis]);
+    all.push_back(std::sqrt(squares));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <size_t n>
+void check_nearest_points() {
+  for (int i = 0; i < 200; ++i) {
+    const NoisePoint<n> p = diagonal<n>(0.31f * static_cast<float>(i) - 40.0f);
+    const std::vector<float> expected = sorted_distances(p);
+    const VoronoiResult<n> nearest = voronoi(VoronoiFeature::f1, p, {});
+    EXPECT_NEAR(nearest.distance, expected[0], 1e-4f);
+    EXPECT_NEAR(voronoi(VoronoiFeature::f2, p, {}).distance, expected[1], 1e-4f);
+    float squares = 0.0f;
+    for (size_t axis = 0; axis < n; ++axis)
+      squares += sqr(nearest.position[axis] - p[axis]);
+    EXPECT_NEAR(std::sqrt(squares), expected[0], 1e-4f);
+  }
+}
+
+TEST(Voronoi, FindsTheNearestOfAllPoints) {
+  check_nearest_points<1>();
+  check_nearest_points<2>();
+  check_nearest_points<3>();
+  check_nearest_points<4>();
+}
+
+TEST(Voronoi, IsFarFromEverythingWhereThereIsNoCoordinate) {
+  const NoisePoint<2> nowhere = {std::nanf(""), 1.0f};
+  EXPECT_EQ(voronoi(VoronoiFeature::f1, nowhere, {}).distance, 8.0f);
+  EXPECT_EQ(voronoi_edge_distance(nowhere, {}), 8.0f);
 }
 
 TEST(Voronoi, WithoutRandomnessIsAGrid) {

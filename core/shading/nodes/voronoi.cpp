@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/lanes.h"
 #include "math/numeric.h"
 #include "shading/nodes/cell_hash.h"
 
@@ -14,6 +15,160 @@ namespace {
 // No point of a window is this far away.
 constexpr float k_far = 8.0f;
 
+// The cells around one, the first axis fastest, as offsets of whole vectors: what is too much
+// repeats the last cell.
+template <size_t n, int radius>
+struct Window {
+  static constexpr size_t k_side = 2 * radius + 1;
+  static constexpr size_t k_cells = [] {
+    size_t cells = 1;
+    for (size_t axis = 0; axis < n; ++axis)
+      cells *= k_side;
+    return cells;
+  }();
+  static constexpr size_t k_padded = (k_cells + k_lanes - 1) / k_lanes * k_lanes;
+  using Axis = std::array<float, k_padded>;
+
+  static constexpr std::array<Axis, n> k_offsets = [] {
+    std::array<Axis, n> offsets{};
+    for (size_t i = 0; i < k_padded; ++i) {
+      size_t rest = std::min(i, k_cells - 1);
+      for (size_t axis = 0; axis < n; ++axis, rest /= k_side)
+        offsets[axis][i] = static_cast<float>(rest % k_side) - static_cast<float>(radius);
+    }
+    return offsets;
+  }();
+  static NoisePoint<n> offset(size_t i) {
+    NoisePoint<n> at;
+    for (size_t axis = 0; axis < n; ++axis)
+      at[axis] = k_offsets[axis][i];
+    return at;
+  }
+};
+
+// `x` is a point or the lanes of eight.
+template <class Float, size_t n>
+Float length_squared(const std::array<Float, n>& x) {
+  Float total{};
+  for (size_t i = 0; i < n; ++i)
+    total += x[i] * x[i];
+  return total;
+}
+
+FloatLanes root(FloatLanes x) {
+  return each_lane(x, [](float lane) { return std::sqrt(lane); });
+}
+FloatLanes absolute(FloatLanes x) {
+  return x < 0.0f ? -x : x;
+}
+
+template <size_t n>
+FloatLanes measure(const std::array<FloatLanes, n>& d, const VoronoiParameters& v) {
+  if constexpr (n == 1) return absolute(d[0]);
+  FloatLanes total{};
+  switch (v.metric) {
+    case VoronoiMetric::euclidean:
+      return root(length_squared(d));
+    case VoronoiMetric::manhattan:
+      for (const FloatLanes& x : d)
+        total += absolute(x);
+      return total;
+    case VoronoiMetric::chebychev:
+      for (const FloatLanes& x : d)
+        total = absolute(x) > total ? absolute(x) : total;
+      return total;
+    case VoronoiMetric::minkowski:
+      for (const FloatLanes& x : d)
+        total += each_lane(absolute(x), [&](float lane) { return std::pow(lane, v.exponent); });
+      return each_lane(total, [&](float lane) { return std::pow(lane, 1.0f / v.exponent); });
+  }
+  return total;
+}
+
+// The cell that a coordinate lies in and where in it.
+template <size_t n>
+struct Place {
+  NoisePoint<n> cell, local;
+
+  explicit Place(const NoisePoint<n>& p) {
+    for (size_t i = 0; i < n; ++i) {
+      cell[i] = std::floor(p[i]);
+      local[i] = p[i] - cell[i];
+    }
+  }
+  Spectrum color(const NoisePoint<n>& offset) const {
+    NoisePoint<n> at = cell;
+    for (size_t i = 0; i < n; ++i)
+      at[i] += offset[i];
+    return random_color_of(at);
+  }
+};
+
+// The random points of a window about the cell at `centre` of a place, relative to its own cell.
+template <size_t n, int radius>
+class Points {
+ public:
+  using Cells = Window<n, radius>;
+  static constexpr size_t k_vectors = Cells::k_padded / k_lanes;
+
+  Points(const Place<n>& place, const VoronoiParameters& v, const NoisePoint<n>& centre = {}) {
+    const float randomness = saturate(v.randomness);
+    for (size_t vector = 0; vector < k_vectors; ++vector) {
+      std::array<FloatLanes, n> offset, cell;
+      for (size_t axis = 0; axis < n; ++axis) {
+        offset[axis] = load_lanes(&Cells::k_offsets[axis][vector * k_lanes]) + centre[axis];
+        cell[axis] = offset[axis] + place.cell[axis];
+      }
+      const std::array<FloatLanes, n> random = random_point_of(cell);
+      for (size_t axis = 0; axis < n; ++axis)
+        store_lanes(offset[axis] + random[axis] * randomness, &axes_[axis][vector * k_lanes]);
+    }
+  }
+  // From `origin` to eight of the points.
+  std::array<FloatLanes, n> from(const NoisePoint<n>& origin, size_t vector) const {
+    std::array<FloatLanes, n> to;
+    for (size_t axis = 0; axis < n; ++axis)
+      to[axis] = load_lanes(&axes_[axis][vector * k_lanes]) - origin[axis];
+    return to;
+  }
+  NoisePoint<n> operator[](size_t i) const {
+    NoisePoint<n> point;
+    for (size_t axis = 0; axis < n; ++axis)
+      point[axis] = axes_[axis][i];
+    return point;
+  }
+
+ private:
+  std::array<typename Cells::Axis, n> axes_;
+};
+
+// What `f` makes of the way to each point; `k_far` in place of those that repeat another.
+template <size_t n, int radius, class Function>
+auto distances(const Points<n, radius>& points, const NoisePoint<n>& origin, Function f) {
+  using Cells = Window<n, radius>;
+  typename Cells::Axis all;
+  for (size_t vector = 0; vector < Points<n, radius>::k_vectors; ++vector)
+    store_lanes(f(points.from(origin, vector)), &all[vector * k_lanes]);
+  for (size_t i = Cells::k_cells; i < Cells::k_padded; ++i)
+    all[i] = k_far;
+  return all;
+}
+
+// The first where several are as small. There always is one: what repeats a cell is `k_far`.
+template <class Distances>
+size_t index_of_smallest(const Distances& distances) {
+  FloatLanes least = FloatLanes{} + k_far;
+  for (size_t i = 0; i < distances.size(); i += k_lanes) {
+    const FloatLanes next = load_lanes(&distances[i]);
+    least = next < least ? next : least;
+  }
+  const float value = smallest(least);
+  size_t index = 0;
+  while (distances[index] != value)
+    ++index;
+  return index;
+}
+
 template <size_t n>
 NoisePoint<n> sum(NoisePoint<n> a, const NoisePoint<n>& b) {
   for (size_t i = 0; i < n; ++i)
@@ -22,125 +177,50 @@ NoisePoint<n> sum(NoisePoint<n> a, const NoisePoint<n>& b) {
 }
 
 template <size_t n>
-NoisePoint<n> difference(NoisePoint<n> a, const NoisePoint<n>& b) {
-  for (size_t i = 0; i < n; ++i)
-    a[i] -= b[i];
-  return a;
-}
-
-template <size_t n>
-float inner_product(const NoisePoint<n>& a, const NoisePoint<n>& b) {
-  float total = 0.0f;
-  for (size_t i = 0; i < n; ++i)
-    total += a[i] * b[i];
-  return total;
-}
-
-template <size_t n>
-float euclidean(const NoisePoint<n>& a, const NoisePoint<n>& b) {
-  const NoisePoint<n> d = difference(a, b);
-  return std::sqrt(inner_product(d, d));
-}
-
-template <size_t n>
-float measure(const NoisePoint<n>& a, const NoisePoint<n>& b, const VoronoiParameters& v) {
-  const NoisePoint<n> d = difference(a, b);
-  if constexpr (n == 1) return std::abs(d[0]);
-  float total = 0.0f;
-  switch (v.metric) {
-    case VoronoiMetric::euclidean:
-      return std::sqrt(inner_product(d, d));
-    case VoronoiMetric::manhattan:
-      for (const float x : d)
-        total += std::abs(x);
-      return total;
-    case VoronoiMetric::chebychev:
-      for (const float x : d)
-        total = std::max(total, std::abs(x));
-      return total;
-    case VoronoiMetric::minkowski:
-      for (const float x : d)
-        total += std::pow(std::abs(x), v.exponent);
-      return std::pow(total, 1.0f / v.exponent);
-  }
-  return total;
-}
-
-// Calls `visit` for every cell offset in [-radius, radius]^n, the first axis fastest.
-template <size_t n, class Visit>
-void for_each_offset(int radius, Visit visit) {
-  NoisePoint<n> offset;
-  offset.fill(static_cast<float>(-radius));
-  for (;;) {
-    visit(offset);
-    size_t axis = 0;
-    while (axis < n && offset[axis] == static_cast<float>(radius))
-      offset[axis++] = static_cast<float>(-radius);
-    if (axis == n) return;
-    offset[axis] += 1.0f;
-  }
-}
-
-// The cell that a coordinate lies in, where in it, and the random points around.
-template <size_t n>
-struct Cells {
-  NoisePoint<n> cell, local;
-  float randomness;
-
-  Cells(const NoisePoint<n>& p, const VoronoiParameters& v) : randomness(saturate(v.randomness)) {
-    for (size_t i = 0; i < n; ++i) {
-      cell[i] = std::floor(p[i]);
-      local[i] = p[i] - cell[i];
-    }
-  }
-  NoisePoint<n> point(const NoisePoint<n>& offset) const {
-    NoisePoint<n> at = random_point_of(sum(cell, offset));
-    for (size_t i = 0; i < n; ++i)
-      at[i] = offset[i] + at[i] * randomness;
-    return at;
-  }
-  Spectrum color(const NoisePoint<n>& offset) const { return random_color_of(sum(cell, offset)); }
-};
-
-template <size_t n>
-VoronoiResult<n> smooth_f1(const Cells<n>& cells, const VoronoiParameters& v, float k) {
+VoronoiResult<n> smooth_f1(const Place<n>& place, const VoronoiParameters& v, float k) {
+  const Points<n, 2> points(place, v);
+  const auto to_points =
+      distances(points, place.local, [&](const auto& d) { return measure(d, v); });
   VoronoiResult<n> result;
   result.distance = k_far;
-  for_each_offset<n>(2, [&](const NoisePoint<n>& offset) {
-    const NoisePoint<n> point = cells.point(offset);
-    const float d = measure(point, cells.local, v);
+  for (size_t i = 0; i < Window<n, 2>::k_cells; ++i) {
+    const float d = to_points[i];
     const float h = smoothstep(saturate(0.5f + 0.5f * (result.distance - d) / k));
-    if (h == 0.0f) return;
+    if (h == 0.0f) continue;
     const float bulge = k * h * (1.0f - h);
     result.distance = lerp(result.distance, d, h) - bulge;
     const float correction = bulge / (1.0f + 3.0f * k);
-    result.color = lerp(result.color, cells.color(offset), h) - Spectrum(correction);
-    for (size_t i = 0; i < n; ++i)
-      result.position[i] = lerp(result.position[i], point[i], h) - correction;
-  });
-  result.position = sum(result.position, cells.cell);
+    if (v.with_color)
+      result.color =
+          lerp(result.color, place.color(Window<n, 2>::offset(i)), h) - Spectrum(correction);
+    const NoisePoint<n> point = points[i];
+    for (size_t axis = 0; axis < n; ++axis)
+      result.position[axis] = lerp(result.position[axis], point[axis], h) - correction;
+  }
+  result.position = sum(result.position, place.cell);
   return result;
 }
 
 template <size_t n>
-VoronoiResult<n> nearest(const Cells<n>& cells, const VoronoiParameters& v, bool second) {
-  struct Candidate {
-    float distance = k_far;
-    NoisePoint<n> offset{}, point{};
-  };
-  Candidate first, next;
-  for_each_offset<n>(1, [&](const NoisePoint<n>& offset) {
-    const NoisePoint<n> point = cells.point(offset);
-    const float d = measure(point, cells.local, v);
-    if (d < first.distance) {
-      next = first;
-      first = {d, offset, point};
-    } else if (d < next.distance) {
-      next = {d, offset, point};
-    }
+VoronoiResult<n> nearest(const Place<n>& place, const VoronoiParameters& v, bool second) {
+  const Points<n, 1> points(place, v);
+  auto to_points = distances(points, place.local, [&](const auto& to_point) {
+    const FloatLanes d = measure(to_point, v);
+    return d < k_far ? d : FloatLanes{} + k_far;
   });
-  const Candidate& chosen = second ? next : first;
-  return {chosen.distance, cells.color(chosen.offset), sum(chosen.point, cells.cell)};
+  size_t chosen = index_of_smallest(to_points);
+  if (second) {
+    to_points[chosen] = k_far;
+    chosen = index_of_smallest(to_points);
+  }
+  VoronoiResult<n> result;
+  result.distance = to_points[chosen];
+  // As in Blender: nowhere is the corner of the own cell.
+  const bool is_far = result.distance == k_far;
+  if (v.with_color)
+    result.color = place.color(is_far ? NoisePoint<n>{} : Window<n, 1>::offset(chosen));
+  result.position = is_far ? place.cell : sum(points[chosen], place.cell);
+  return result;
 }
 
 }  // namespace
@@ -148,56 +228,49 @@ VoronoiResult<n> nearest(const Cells<n>& cells, const VoronoiParameters& v, bool
 template <size_t n>
 VoronoiResult<n> voronoi(VoronoiFeature feature, const NoisePoint<n>& p,
                          const VoronoiParameters& v) {
-  const Cells<n> cells(p, v);
+  const Place<n> place(p);
   const float k = std::clamp(v.smoothness * 0.5f, 0.0f, 0.5f);
-  if (feature == VoronoiFeature::smooth_f1 && k > 0.0f) return smooth_f1(cells, v, k);
-  return nearest(cells, v, feature == VoronoiFeature::f2);
+  if (feature == VoronoiFeature::smooth_f1 && k > 0.0f) return smooth_f1(place, v, k);
+  return nearest(place, v, feature == VoronoiFeature::f2);
 }
 
 template <size_t n>
 float voronoi_edge_distance(const NoisePoint<n>& p, const VoronoiParameters& v) {
-  const Cells<n> cells(p, v);
+  const Place<n> place(p);
+  const Points<n, 1> points(place, v);
   if constexpr (n == 1) {
-    const float middle = cells.point({0.0f})[0];
-    const float left = (middle + cells.point({-1.0f})[0]) * 0.5f;
-    const float right = (middle + cells.point({1.0f})[0]) * 0.5f;
-    return std::min(std::abs(left - cells.local[0]), std::abs(right - cells.local[0]));
+    const float left = (points[1][0] + points[0][0]) * 0.5f;
+    const float right = (points[1][0] + points[2][0]) * 0.5f;
+    return std::min(std::abs(left - place.local[0]), std::abs(right - place.local[0]));
   }
-  NoisePoint<n> to_closest{};
-  float closest = k_far;
-  for_each_offset<n>(1, [&](const NoisePoint<n>& offset) {
-    const NoisePoint<n> to_point = difference(cells.point(offset), cells.local);
-    const float d2 = inner_product(to_point, to_point);
-    if (d2 < closest) closest = d2, to_closest = to_point;
+  const size_t closest = index_of_smallest(
+      distances(points, place.local, [](const auto& d) { return length_squared(d); }));
+  NoisePoint<n> to_closest = points[closest];
+  for (size_t i = 0; i < n; ++i)
+    to_closest[i] -= place.local[i];
+  const auto edges = distances(points, place.local, [&](const auto& to_point) {
+    std::array<FloatLanes, n> across;
+    FloatLanes along{};
+    for (size_t i = 0; i < n; ++i) {
+      across[i] = to_point[i] - to_closest[i];
+      along += (to_point[i] + to_closest[i]) * across[i];
+    }
+    const FloatLanes length2 = length_squared(across);
+    return length2 <= 1e-4f ? FloatLanes{} + k_far : 0.5f * along / root(length2);
   });
-  float edge = k_far;
-  for_each_offset<n>(1, [&](const NoisePoint<n>& offset) {
-    const NoisePoint<n> to_point = difference(cells.point(offset), cells.local);
-    const NoisePoint<n> across = difference(to_point, to_closest);
-    const float length2 = inner_product(across, across);
-    if (length2 <= 1e-4f) return;
-    const float d = 0.5f * inner_product(sum(to_closest, to_point), across) / std::sqrt(length2);
-    edge = std::min(edge, d);
-  });
-  return edge;
+  return edges[index_of_smallest(edges)];
 }
 
 template <size_t n>
 float voronoi_sphere_radius(const NoisePoint<n>& p, const VoronoiParameters& v) {
-  const Cells<n> cells(p, v);
-  NoisePoint<n> closest{}, closest_offset{};
-  float distance = k_far;
-  for_each_offset<n>(1, [&](const NoisePoint<n>& offset) {
-    const NoisePoint<n> point = cells.point(offset);
-    const float d = euclidean(point, cells.local);
-    if (d < distance) distance = d, closest = point, closest_offset = offset;
-  });
-  float gap = k_far;
-  for_each_offset<n>(1, [&](const NoisePoint<n>& step) {
-    if (step == NoisePoint<n>{}) return;
-    gap = std::min(gap, euclidean(closest, cells.point(sum(step, closest_offset))));
-  });
-  return gap * 0.5f;
+  const Place<n> place(p);
+  const auto length = [](const auto& d) { return root(length_squared(d)); };
+  const Points<n, 1> points(place, v);
+  const size_t closest = index_of_smallest(distances(points, place.local, length));
+  const Points<n, 1> around(place, v, Window<n, 1>::offset(closest));
+  auto gaps = distances(around, points[closest], length);
+  gaps[Window<n, 1>::k_cells / 2] = k_far;  // to itself
+  return gaps[index_of_smallest(gaps)] * 0.5f;
 }
 
 #define TENNIEL_VORONOI_OF_DIMENSION(n)                                                    \

@@ -17,12 +17,13 @@ struct VoronoiParameters {
   float exponent = 0.5f;    // of Minkowski's metric
   float randomness = 1.0f;  // 0 = points on a grid; clamped to [0, 1]
   float smoothness = 1.0f;  // of smooth F1; clamped to [0, 1]
+  bool with_color = true;
 };
 
 template <size_t n>
 struct VoronoiResult {
   float distance = 0.0f;
-  Spectrum color;
+  Spectrum color;            // if it was asked for
   NoisePoint<n> position{};  // of the point, in the space of the coordinate asked for
 };
 
