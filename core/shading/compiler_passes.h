@@ -49,6 +49,7 @@ struct ProgramStep {
 std::vector<ProgramStep> order_steps(const ShaderIr& ir, uint8_t query);
 // The steps that make one value.
 std::vector<ProgramStep> order_steps(const ShaderIr& ir, IrLink value);
+constexpr uint8_t k_every_query = 0xff;
 // Whether a program for `query` reads this input while it runs (not: inside a node's own program).
 bool is_read(const IrNode& node, size_t input, uint8_t query);
 

@@ -26,10 +26,12 @@ class VoxelGrid;
 
 // An input that the node evaluates itself, as often and where it likes (bump: at three points).
 // `result` is a constant, or the register that `program` writes; null program: the constant.
-// Programs are run through ShadingContext alone, so a node may move `surface` in between.
+// Programs are run through ShadingContext alone, so a node may move `surface` in between. Where the
+// node says `read_here`, `here` is the value at the point itself, shared with other readers.
 template <class T>
 struct ProgramInput {
   Input<T> result;
+  Input<T> here;
   std::shared_ptr<const Program> program;
 };
 
@@ -72,6 +74,7 @@ struct InputInfo {
   ImplicitInput implicit = ImplicitInput::none;
   uint8_t queries = 0xff;   // ShaderQuery parts that read this input
   bool is_program = false;  // the member is a ProgramInput<T>
+  bool reads_here = false;  // and its `here` is asked for
 };
 
 struct OutputInfo {
@@ -167,6 +170,11 @@ class NodeTypeBuilder {
   // For the input named last.
   NodeTypeBuilder& implicit(ImplicitInput kind) {
     type_.inputs.back().implicit = kind;
+    return *this;
+  }
+  // Likewise, of a ProgramInput.
+  NodeTypeBuilder& read_here() {
+    type_.inputs.back().reads_here = true;
     return *this;
   }
   NodeTypeBuilder& closure_input(std::string identifier) {

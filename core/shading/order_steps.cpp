@@ -138,7 +138,7 @@ class StepOrder {
 
 bool is_read(const IrNode& node, size_t input, uint8_t query) {
   const InputInfo& info = input_info(*node.type, input);
-  return !info.is_program && (info.queries & query) != 0;
+  return (!info.is_program || info.reads_here) && (info.queries & query) != 0;
 }
 
 std::vector<IrClosure> closures_of_query(const ShaderIr& ir, uint8_t query) {
@@ -158,7 +158,7 @@ std::vector<ProgramStep> order_steps(const ShaderIr& ir, uint8_t query) {
 std::vector<ProgramStep> order_steps(const ShaderIr& ir, IrLink value) {
   std::vector<ProgramStep> steps;
   for (int node : topological_order(ir, {value.node}, [](const IrNode&reader, size_t i) {
-         return !input_info(*reader.type, i).is_program;
+         return is_read(reader, i, k_every_query);
        }))
     steps.push_back({node, {}, 0});
   return steps;

@@ -95,8 +95,6 @@ class RegisterAllocation {
   std::vector<RegisterIndex> free_numbers_, free_triples_;
 };
 
-constexpr uint8_t k_every_query = 0xff;
-
 }  // namespace
 
 // Copies the nodes of a list of steps and wires them by register.
@@ -138,11 +136,12 @@ class ProgramBuilder {
     for (size_t i = 0; i < node.links.size(); ++i) {
       const InputInfo& input = input_info(type, i);
       if (!node.links[i].linked()) continue;
+      const RegisterIndex here =
+          is_read(node, i, query_) ? registers_.at(node.links[i]) : k_no_register;
       if (input.is_program)
-        add_inner_program(copy, input, node.links[i]);
+        add_inner_program(copy, input, node.links[i], here);
       else
-        set_source(copy, input,
-                   is_read(node, i, query_) ? registers_.at(node.links[i]) : k_no_register);
+        set_source(copy, input, here);
     }
     for (size_t o = 0; o < type.outputs.size(); ++o)
       if (type.outputs[o].type != SocketType::closure)
@@ -152,13 +151,13 @@ class ProgramBuilder {
   }
 
   // The program inside a node runs while this one's values are alive: its registers lie behind.
-  void add_inner_program(void* node, const InputInfo& input, IrLink value) {
+  void add_inner_program(void* node, const InputInfo& input, IrLink value, RegisterIndex here) {
     const std::vector<ProgramStep> steps = order_steps(ir_, value);
     ProgramBuilder builder(ir_, steps, k_every_query, registers_.end());
     auto inner = std::make_shared<const Program>(builder.build(value));
     set_source(node, input, builder.place_of(value));
     program_.register_count_ = std::max(program_.register_count_, inner->register_count());
-    set_program(node, input, std::move(inner));
+    set_program(node, input, std::move(inner), here);
   }
 
   const ShaderIr& ir_;

@@ -29,6 +29,18 @@ auto visit_input(void* node, const InputInfo& input, F f) {
 }
 static_assert(offsetof(ProgramInput<float>, result) == 0);
 
+template <class F>
+auto visit_program(void* node, const InputInfo& input, F f) {
+  switch (input.type) {
+    case SocketType::vector:
+      return f(member<ProgramInput<Vec3>>(node, input.offset));
+    case SocketType::color:
+      return f(member<ProgramInput<Spectrum>>(node, input.offset));
+    default:
+      return f(member<ProgramInput<float>>(node, input.offset));
+  }
+}
+
 Constant to_constant(float v) {
   return {v, 0.0f, 0.0f};
 }
@@ -120,23 +132,18 @@ void set_source(void* node, const InputInfo& input, RegisterIndex source) {
   visit_input(node, input, [source](auto& member) { member.source = source; });
 }
 
-void set_program(void* node, const InputInfo& input, std::shared_ptr<const Program> program) {
-  if (input.type == SocketType::vector)
-    member<ProgramInput<Vec3>>(node, input.offset).program = std::move(program);
-  else if (input.type == SocketType::color)
-    member<ProgramInput<Spectrum>>(node, input.offset).program = std::move(program);
-  else
-    member<ProgramInput<float>>(node, input.offset).program = std::move(program);
+void set_program(void* node, const InputInfo& input, std::shared_ptr<const Program> program,
+                 RegisterIndex here) {
+  visit_program(node, input, [&](auto& member) {
+    member.program = std::move(program);
+    member.here.source = here;
+  });
 }
 
 const Program* program_of(const void* node, const InputInfo& input) {
   if (!input.is_program) return nullptr;
-  void* data = const_cast<void*>(node);
-  if (input.type == SocketType::vector)
-    return member<ProgramInput<Vec3>>(data, input.offset).program.get();
-  if (input.type == SocketType::color)
-    return member<ProgramInput<Spectrum>>(data, input.offset).program.get();
-  return member<ProgramInput<float>>(data, input.offset).program.get();
+  return visit_program(const_cast<void*>(node), input,
+                       [](const auto& member) { return member.program.get(); });
 }
 
 // The register is the only member of Output<T>.

@@ -86,7 +86,9 @@ Constant constant(const void* node, const InputInfo& input);
 void set_constant(void* node, const InputInfo& input, const Constant& value);
 RegisterIndex source(const void* node, const InputInfo& input);
 void set_source(void* node, const InputInfo& input, RegisterIndex source);
-void set_program(void* node, const InputInfo& input, std::shared_ptr<const Program> program);
+// Of a ProgramInput; `here` is k_no_register where it is not asked for.
+void set_program(void* node, const InputInfo& input, std::shared_ptr<const Program> program,
+                 RegisterIndex here);
 const Program* program_of(const void* node, const InputInfo& input);  // null where there is none
 RegisterIndex target(const void* node, const OutputInfo& output);
 void set_target(void* node, const OutputInfo& output, RegisterIndex target);

@@ -29,16 +29,34 @@ float bump_step(const SurfaceInteraction& surface) {
   return std::max(2.0f * surface.footprint, 1e-5f * extent);
 }
 
-// The point and the two beside it at which heights are taken.
+// Where heights are taken beside a point: `step_x` and `step_y` are perpendicular to its normal.
+struct BumpSteps {
+  Vec3 step_x, step_y;
+};
+
+BumpSteps steps_beside(const SurfaceInteraction& here) {
+  const Frame frame = differential_frame(here.geometric_normal);
+  const float step = bump_step(here);
+  return {frame.x * step, frame.y * step};
+}
+
+// The height that `program` leaves at `place`; `read` takes it from the context. Moves the surface.
+template <class Read>
+float height_at(ShadingContext& context, const SurfaceInteraction& place, const Program& program,
+                Read read) {
+  context.surface = place;
+  program.run(context);
+  return read(context);
+}
+
+// The point and the two beside it at which a displacement is taken as a height.
 struct BumpPlaces {
   SurfaceInteraction here, x, y;
   Vec3 step_x, step_y;
 };
 
 BumpPlaces places_beside(const SurfaceInteraction& here) {
-  const Frame frame = differential_frame(here.geometric_normal);
-  const float step = bump_step(here);
-  const Vec3 step_x = frame.x * step, step_y = frame.y * step;
+  const auto [step_x, step_y] = steps_beside(here);
   return {here, shifted(here, step_x), shifted(here, step_y), step_x, step_y};
 }
 
@@ -58,30 +76,20 @@ BumpPlaces undisplaced_places(const SurfaceInteraction& here) {
   return places;
 }
 
-// Runs `program` at the three places; `read` takes the height from the context.
-template <class Read>
-BumpSample sample_heights(ShadingContext& context, const BumpPlaces& places, const Program& program,
-                          Read read) {
-  const SurfaceInteraction kept = context.surface;
-  const auto height_at = [&](const SurfaceInteraction& place) {
-    context.surface = place;
-    program.run(context);
-    return read(context);
-  };
-  BumpSample sample{places.step_x, places.step_y};
-  sample.height_x = height_at(places.x);
-  sample.height_y = height_at(places.y);
-  sample.height = height_at(places.here);
-  context.surface = kept;
-  return sample;
-}
-
 BumpSample sample_displacement(ShadingContext& context, const BumpPlaces& places,
                                const ProgramInput<Vec3>& displacement) {
-  return sample_heights(context, places, *displacement.program,
-                        [&displacement, normal = context.closure_normal](ShadingContext& c) {
-                          return dot(c.get(displacement.result), normal);
-                        });
+  const SurfaceInteraction kept = context.surface;
+  const auto height = [&](const SurfaceInteraction& place) {
+    return height_at(context, place, *displacement.program, [&](const ShadingContext& c) {
+      return dot(c.get(displacement.result), c.closure_normal);
+    });
+  };
+  BumpSample sample{places.step_x, places.step_y};
+  sample.height_x = height(places.x);
+  sample.height_y = height(places.y);
+  sample.height = height(places.here);
+  context.surface = kept;
+  return sample;
 }
 
 Vec3 raised(const SurfaceInteraction& surface, Vec3 normal) {
@@ -105,14 +113,24 @@ Vec3 bump_normal(const BumpSample& sample, Vec3 normal, float scale, float stren
   return normalize_or(strength * tilted + (1.0f - strength) * normal, normal);
 }
 
+BumpSample BumpNode::sample(ShadingContext& context) const {
+  const SurfaceInteraction here = context.surface;
+  const auto [step_x, step_y] = steps_beside(here);
+  const auto beside = [&](Vec3 step) {
+    return height_at(context, shifted(here, step), *height.program,
+                     [this](const ShadingContext& c) { return c.get(height.result); });
+  };
+  const float height_x = beside(step_x), height_y = beside(step_y);
+  context.surface = here;
+  return {step_x, step_y, context.get(height.here), height_x, height_y};
+}
+
 void BumpNode::eval(ShadingContext& context) const {
   const Vec3 base = context.normal(normal);
   if (!height.program || !context.surface.mesh) return context.set(result, base);
-  const BumpSample sample =
-      sample_heights(context, places_beside(context.surface), *height.program,
-                     [this](ShadingContext& c) { return c.get(height.result); });
   const float scale = context.get(distance) * (invert ? -1.0f : 1.0f);
-  const Vec3 bent = bump_normal(sample, base, scale, std::max(context.get(strength), 0.0f));
+  const Vec3 bent =
+      bump_normal(sample(context), base, scale, std::max(context.get(strength), 0.0f));
   context.set(result, raised(context.surface, bent));
 }
 
@@ -210,6 +228,7 @@ void register_bump_nodes(NodeRegistry& registry) {
       .input("Strength", &BumpNode::strength)
       .input("Distance", &BumpNode::distance)
       .input("Height", &BumpNode::height)
+      .read_here()
       .input("Normal", &BumpNode::normal)
       .implicit(ImplicitInput::normal)
       .setting("invert", &BumpNode::invert)

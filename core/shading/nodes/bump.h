@@ -29,6 +29,9 @@ struct BumpNode {
   bool invert = false;
   Output<Vec3> result;
   void eval(ShadingContext& context) const;
+
+ private:
+  BumpSample sample(ShadingContext& context) const;
 };
 
 enum class NormalMapSpace : uint8_t { tangent, object, world, blender_object, blender_world };

@@ -146,11 +146,26 @@ TEST(Bump, HoldsItsHeightAsAProgram) {
     out: ShaderNodeOutputMaterial Surface<g.BSDF)",
                        true, &test_registry());
   EXPECT_EQ(m.material.surface.listing(),
-            "r0:2 = ShaderNodeBump(1, 1, r3, normal)\n"
-            "  X r3 = Slope(1)\n"
-            "ShaderNodeBsdfGlossy((0.8, 0.8, 0.8), 0.5, r0:2; weight 1)\n");
-  EXPECT_EQ(m.material.surface.register_count(), 4u);
+            "X r0 = Slope(1)\n"
+            "r1:3 = ShaderNodeBump(1, 1, r4, normal)\n"
+            "  X r4 = Slope(1)\n"
+            "ShaderNodeBsdfGlossy((0.8, 0.8, 0.8), 0.5, r1:3; weight 1)\n");
+  EXPECT_EQ(m.material.surface.register_count(), 5u);
   EXPECT_TRUE(m.material.emission.empty());
+}
+
+TEST(Bump, SharesTheHeightAtThePointWithOtherReaders) {
+  const TestMaterial m(R"(
+    h: Slope
+    b: ShaderNodeBump Height<h.X
+    g: ShaderNodeBsdfGlossy Roughness<h.X Normal<b.Normal
+    out: ShaderNodeOutputMaterial Surface<g.BSDF)",
+                       true, &test_registry());
+  EXPECT_EQ(m.material.surface.listing(),
+            "X r0 = Slope(1)\n"
+            "r1:3 = ShaderNodeBump(1, 1, r4, normal)\n"
+            "  X r4 = Slope(1)\n"
+            "ShaderNodeBsdfGlossy((0.8, 0.8, 0.8), r0, r1:3; weight 1)\n");
 }
 
 TEST(Bump, NeverMirrorsBelowTheSurface) {

@@ -9,7 +9,8 @@
 namespace tenniel {
 
 Vec3 map_vector(MappingType type, Vec3 v, Vec3 location, Vec3 rotation, Vec3 scale) {
-  const Transform matrix = euler_rotation(rotation);
+  // Most mappings do not turn, and sines cost more than all the rest.
+  const Transform matrix = rotation == Vec3{} ? Transform{} : euler_rotation(rotation);
   const auto divided = [&](Vec3 a) {
     return by_component([](float x, float y) { return safe_divide(x, y); }, a, scale);
   };
