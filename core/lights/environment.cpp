@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lights/environment.h"
 
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "math/frame.h"
@@ -26,6 +28,16 @@ bool is_in_sun(const SunDisk& sun, Vec3 direction) {
   return length_squared(direction - sun.direction) <= 2.0f * one_minus_cos(sun);
 }
 
+// `direction`, or what lies beside the sun at its side: the sky there goes on behind the sun.
+Vec3 beside_sun(const SunDisk& sun, Vec3 direction) {
+  if (!is_in_sun(sun, direction)) return direction;
+  const Frame frame = Frame::from_normal(sun.direction);
+  const Vec3 local = frame.to_local(direction);
+  const Vec3 side = normalize_or({local.x, local.y, 0.0f}, {1.0f, 0.0f, 0.0f});
+  const float angle = 1.05f * sun.half_angle;
+  return frame.to_world({std::sin(angle) * side.x, std::sin(angle) * side.y, std::cos(angle)});
+}
+
 // Mean over the disc, from points spread evenly over its area.
 template <class Brightness>
 float sun_brightness(const SunDisk& sun, const Brightness& brightness) {
@@ -41,46 +53,95 @@ float sun_brightness(const SunDisk& sun, const Brightness& brightness) {
   return sum / (k_side * k_side);
 }
 
+// What is darker than the mean is left to the sampling of surfaces, which finds it as well (Karlik
+// et al. 2019, "MIS Compensation"); this share of it stays, for what no surface samples.
+constexpr float k_dim_share = 0.03f;
+
+// Cells between the centres of width x height pixels: one begins at each pixel of a row, the last
+// of which ends at the first pixel again, and the lowest and highest row, half as high, end at the
+// poles. Their corners are `width + 1` x `height + 2`.
+struct PixelGrid {
+  int width, height;
+
+  int rows() const { return height + 1; }
+  size_t stride() const { return static_cast<size_t>(width) + 1; }
+  size_t corner_count() const { return stride() * (static_cast<size_t>(height) + 2); }
+  // The image coordinates at a place of the unit square over the cells, and back.
+  Vec2 to_uv(Vec2 p) const {
+    const auto w = static_cast<float>(width), h = static_cast<float>(height);
+    const float u = p.x + 0.5f / w, y = p.y * (h + 1.0f);
+    const float v = y < 1.0f ? 0.5f * y : y > h ? h - 0.5f * (h + 1.0f - y) : y - 0.5f;
+    return {u < 1.0f ? u : u - 1.0f, v / h};
+  }
+  Vec2 from_uv(Vec2 uv) const {
+    const auto w = static_cast<float>(width), h = static_cast<float>(height);
+    const float x = uv.x - 0.5f / w, v = uv.y * h;
+    const float y = v < 0.5f ? 2.0f * v : v > h - 0.5f ? h + 1.0f - 2.0f * (h - v) : v + 0.5f;
+    return {x < 0.0f ? x + 1.0f : x, y / (h + 1.0f)};
+  }
+  // How much of the unit square a part of the image at height v takes.
+  float stretch(float v) const {
+    const auto h = static_cast<float>(height);
+    const bool is_pole = v * h < 0.5f || v * h > h - 0.5f;
+    return (is_pole ? 2.0f : 1.0f) * h / (h + 1.0f);
+  }
+  float sine_of_row(int y) const {
+    return std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * k_pi);
+  }
+};
+
 }  // namespace
 
+void row_after_row(int count, const std::function<void(int)>& row) {
+  for (int y = 0; y < count; ++y)
+    row(y);
+}
+
 EnvironmentLight::EnvironmentLight(const std::function<Spectrum(Vec3)>& radiance, int width,
-                                   int height, std::optional<SunDisk> sun)
-    : sun_(sun) {
+                                   int height, std::optional<SunDisk> sun, const RowLoop& rows)
+    : width_(width), height_(height), sun_(sun) {
   const auto brightness = [&](Vec3 direction) {
     const float value = mean(radiance(direction));
     return std::isfinite(value) ? std::max(value, 0.0f) : 0.0f;
   };
-  const auto sample_at = [&](float x, float y) {
-    const Vec2 uv{x / static_cast<float>(width), y / static_cast<float>(height)};
-    const Vec3 direction = equirectangular_to_direction(uv);
-    return sun_ && is_in_sun(*sun_, direction) ? 0.0f : brightness(direction);
-  };
-  // Centre and corners of each cell: what is bright only between the centres keeps a density.
-  const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
-  std::vector<float> corners((w + 1) * (h + 1)), values(w * h);
-  double sum = 0.0, weight_sum = 0.0;
-  for (size_t y = 0; y <= h; ++y)
-    for (size_t x = 0; x <= w; ++x)
-      corners[y * (w + 1) + x] = sample_at(static_cast<float>(x), static_cast<float>(y));
-  for (size_t y = 0; y < h; ++y) {
-    const float sine = std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * k_pi);
-    for (size_t x = 0; x < w; ++x) {
-      const float* c = &corners[y * (w + 1) + x];
-      const float center = sample_at(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      const float value = 0.5f * center + 0.125f * (c[0] + c[1] + c[w + 1] + c[w + 2]);
-      values[y * w + x] = value * sine;
-      sum += static_cast<double>(value) * sine;
-      weight_sum += sine;
+  const PixelGrid grid{width, height};
+  std::vector<float> corners(grid.corner_count(), 0.0f);
+  rows(height, [&](int y) {
+    float* row = &corners[grid.stride() * (static_cast<size_t>(y) + 1)];
+    for (int x = 0; x < width; ++x) {
+      const Vec3 direction = equirectangular_to_direction(
+          {(static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+           (static_cast<float>(y) + 0.5f) / static_cast<float>(height)});
+      row[x] = brightness(sun_ ? beside_sun(*sun_, direction) : direction);
     }
-  }
-  map_ = std::make_shared<const Distribution2D>(values, width, height);
-  mean_ = static_cast<float>(sum / weight_sum);
+    row[width] = row[0];
+  });
+  mean_ = tabulate(std::move(corners));
   if (!sun_) return;
   const float from_sun = sun_brightness(*sun_, brightness) * one_minus_cos(*sun_) * 0.5f;
   const float share = from_sun > 0.0f ? from_sun / (mean_ + from_sun) : 0.0f;
   // Neither share is exact: a cell of the map may hide something small and bright.
   sun_probability_ = std::clamp(share, 0.1f, 0.9f);
   mean_ += from_sun;
+}
+
+float EnvironmentLight::tabulate(std::vector<float> corners) {
+  const PixelGrid grid{width_, height_};
+  double sum = 0.0, weight_sum = 0.0;
+  const auto row_at = [&](int y) { return &corners[grid.stride() * (static_cast<size_t>(y) + 1)]; };
+  for (int y = 0; y < height_; ++y) {
+    const double sine = grid.sine_of_row(y);
+    sum += sine * std::accumulate(row_at(y), row_at(y) + width_, 0.0);
+    weight_sum += sine * width_;
+  }
+  const auto average = static_cast<float>(sum / weight_sum);
+  for (int y = 0; y < height_; ++y) {
+    const float sine = grid.sine_of_row(y);
+    for (float* value = row_at(y); value <= row_at(y) + width_; ++value)
+      *value = std::max(*value - average, k_dim_share * *value) * sine;
+  }
+  map_ = std::make_shared<const Distribution2D>(std::move(corners), width_, grid.rows());
+  return average;
 }
 
 std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(Vec2 u) const {
@@ -95,10 +156,12 @@ std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(Vec2 u) cons
   if (sun_)
     u.x = std::min((u.x - sun_probability_) / (1.0f - sun_probability_), k_one_minus_epsilon);
   const Distribution2D::Sample s = map_->sample(u);
-  const float sine = std::sin(s.position.y * k_pi);
+  const PixelGrid grid{width_, height_};
+  const Vec2 uv = grid.to_uv(s.position);
+  const float sine = std::sin(uv.y * k_pi);
   if (!(sine > 0.0f) || !(s.pdf > 0.0f)) return {};
-  const Vec3 wi = equirectangular_to_direction(s.position);
-  const float density = s.pdf / (2.0f * k_pi * k_pi * sine);
+  const Vec3 wi = equirectangular_to_direction(uv);
+  const float density = s.pdf * grid.stretch(uv.y) / (2.0f * k_pi * k_pi * sine);
   if (!sun_) return Direction{wi, density};
   return Direction{wi, (1.0f - sun_probability_) * density + sun_probability_ * sun_pdf(wi)};
 }
@@ -110,7 +173,9 @@ float EnvironmentLight::pdf(Vec3 wi) const {
 float EnvironmentLight::map_pdf(Vec3 wi) const {
   const float sine = safe_sqrt(1.0f - sqr(wi.z));
   if (!(sine > 0.0f)) return 0.0f;
-  return map_->pdf(equirectangular_projection(wi)) / (2.0f * k_pi * k_pi * sine);
+  const PixelGrid grid{width_, height_};
+  const Vec2 uv = equirectangular_projection(wi);
+  return map_->pdf(grid.from_uv(uv)) * grid.stretch(uv.y) / (2.0f * k_pi * k_pi * sine);
 }
 
 float EnvironmentLight::sun_pdf(Vec3 wi) const {

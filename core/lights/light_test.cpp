@@ -220,6 +220,58 @@ TEST(EnvironmentLightStatistics, LinearRadianceGivesTheKnownIrradiance) {
   EXPECT_NEAR(sum / k_samples, k_pi + k_two_pi / 3.0f * a.z, 0.01);
 }
 
+// What an image shows between its pixels is what the map says there: f / pdf hardly varies.
+TEST(EnvironmentLightStatistics, ASpotOfOnePixelIsSampledAsItIsShown) {
+  constexpr int k_width = 64, k_height = 32;
+  const auto radiance = [](Vec3 d) {
+    const Vec2 uv = equirectangular_projection(d);
+    const float x = std::abs(uv.x * k_width - 20.5f), y = std::abs(uv.y * k_height - 22.5f);
+    return Spectrum(1e4f * std::max(1.0f - x, 0.0f) * std::max(1.0f - y, 0.0f));
+  };
+  const EnvironmentLight light(radiance, k_width, k_height);
+  Sampler sampler(4);
+  double sum = 0.0, sum_of_squares = 0.0;
+  constexpr uint32_t k_samples = 1u << 12;
+  for (uint32_t i = 0; i < k_samples; ++i) {
+    sampler.start_sample(0, 0, i);
+    const auto drawn = light.sample(sampler.get_2d());
+    ASSERT_TRUE(drawn);
+    EXPECT_NEAR(light.pdf(drawn->wi) / drawn->pdf, 1.0f, 2e-2f);
+    const double value = radiance(drawn->wi).r / drawn->pdf / k_samples;
+    sum += value;
+    sum_of_squares += value * value;
+  }
+  EXPECT_NEAR(sum, light.mean_radiance() * 4.0 * k_pi, 2e-3 * sum);
+  EXPECT_LT(sum_of_squares * k_samples / (sum * sum) - 1.0, 0.01);
+}
+
+// To the poles, where the last half of a row is: uniform directions find all of the density.
+TEST(EnvironmentLightStatistics, DensityCoversTheSphere) {
+  for (const int height : {1, 4, 32}) {
+    const auto radiance = [](Vec3 d) { return Spectrum(d.z > 0.7f ? 3.0f : 1.0f + d.x); };
+    const EnvironmentLight light(radiance, 2 * height, height);
+    Sampler sampler(9);
+    double sum = 0.0;
+    constexpr uint32_t k_samples = 1u << 16;
+    for (uint32_t i = 0; i < k_samples; ++i) {
+      sampler.start_sample(0, 0, i);
+      sum += 4.0 * k_pi * light.pdf(warp_uniform_sphere(sampler.get_2d()));
+    }
+    EXPECT_NEAR(sum / k_samples, 1.0, 2e-3) << height;
+    EXPECT_GT(light.pdf(normalize({1e-2f, 0.0f, 1.0f})), 0.0f);
+  }
+}
+
+// Where it is dim surfaces look themselves, yet nothing that shines is out of reach.
+TEST(EnvironmentLight, DimPartsKeepALittle) {
+  const auto radiance = [](Vec3 d) { return Spectrum(d.x > 0.0f ? 3.0f : 0.5f); };
+  const EnvironmentLight light(radiance, 64, 32);
+  const float bright = light.pdf(normalize({1.0f, 0.3f, 0.2f}));
+  const float dim = light.pdf(normalize({-1.0f, 0.3f, 0.2f}));
+  EXPECT_GT(dim, 0.0f);
+  EXPECT_LT(dim / bright, 0.5f * 0.5f / 3.0f);
+}
+
 // A sky of 1 with a sun of 2e4 that is half below a cell of the map: E = pi + L omega cos.
 TEST(EnvironmentLightStatistics, SunInTheSkyIsSampledApart) {
   const SunDisk sun{normalize({0.3f, -0.4f, 0.8f}), 0.01f};

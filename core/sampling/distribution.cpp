@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "math/numeric.h"
+#include "sampling/warp.h"
 
 namespace tenniel {
 namespace {
@@ -68,36 +70,57 @@ AliasTable::Choice AliasTable::sample(float u) const {
   return {entry.alias, entries_[entry.alias].probability, std::min(rest, k_one_minus_epsilon)};
 }
 
-Distribution2D::Distribution2D(std::span<const float> values, int width, int height)
-    : width_(width), height_(height) {
+Distribution2D::Distribution2D(std::vector<float> values, int width, int height) {
   double total = 0.0;
-  for (const float v : values)
-    total += usable_weight(v);
+  const auto columns = static_cast<size_t>(width) + 1, rows = static_cast<size_t>(height) + 1;
+  for (size_t y = 0; y < rows; ++y) {
+    double row = 0.0;
+    for (size_t x = 0; x < columns; ++x) {
+      const bool is_edge = x == 0 || x + 1 == columns;
+      row += usable_weight(values[y * columns + x]) * (is_edge ? 0.5 : 1.0);
+    }
+    total += row * (y == 0 || y + 1 == rows ? 0.5 : 1.0);
+  }
   if (!(total > 0.0)) return;
   average_ = total / (static_cast<double>(width) * static_cast<double>(height));
+  width_ = width;
+  height_ = height;
+  for (float& value : values)
+    value = static_cast<float>(usable_weight(value) / average_);
+  density_ = std::move(values);
+  build_pyramid();
+}
 
-  const auto padded = [](int w, int h) {
-    Level level{w + (w & 1), h + (h & 1), {}};
-    level.sums.resize(static_cast<size_t>(level.width) * static_cast<size_t>(level.height));
-    return level;
-  };
-  levels_.push_back(padded(width, height));
-  for (int y = 0; y < height; ++y) {
-    const float* row = values.data() + static_cast<size_t>(y) * static_cast<size_t>(width);
-    for (int x = 0; x < width; ++x)
-      levels_[0].sums[levels_[0].at(x, y)] = static_cast<float>(usable_weight(row[x]) / average_);
-  }
-  while (levels_.back().width > 2 || levels_.back().height > 2) {
-    const Level& fine = levels_.back();
-    Level coarse = padded(fine.width / 2, fine.height / 2);
-    for (int y = 0; y < fine.height / 2; ++y) {
-      for (int x = 0; x < fine.width / 2; ++x) {
-        const float* block = &fine.sums[fine.at(2 * x, 2 * y)];
-        coarse.sums[coarse.at(x, y)] = (block[0] + block[1]) + (block[2] + block[3]);
-      }
-    }
+void Distribution2D::build_pyramid() {
+  int width = (width_ + 1) / 2, height = (height_ + 1) / 2;  // in blocks of 2x2
+  const auto sum = [](const float* block) { return (block[0] + block[1]) + (block[2] + block[3]); };
+  while (width > 1 || height > 1) {
+    const Level* fine = levels_.empty() ? nullptr : &levels_.back();
+    Level coarse{width + (width & 1), height + (height & 1), {}};
+    coarse.sums.resize(static_cast<size_t>(coarse.width) * static_cast<size_t>(coarse.height));
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        coarse.sums[coarse.at(x, y)] = fine ? sum(&fine->sums[fine->at(2 * x, 2 * y)])
+                                            : sum(block_masses(2 * x, 2 * y).data());
+    width = coarse.width / 2;
+    height = coarse.height / 2;
     levels_.push_back(std::move(coarse));
   }
+}
+
+Distribution2D::Corners Distribution2D::corners(int x, int y) const {
+  const size_t stride = static_cast<size_t>(width_) + 1;
+  const float* lower = &density_[static_cast<size_t>(y) * stride + static_cast<size_t>(x)];
+  return {lower[0], lower[1], lower[stride], lower[stride + 1]};
+}
+
+Distribution2D::Corners Distribution2D::block_masses(int x, int y) const {
+  const auto mass = [this](int column, int row) {
+    if (column >= width_ || row >= height_) return 0.0f;
+    const Corners c = corners(column, row);
+    return 0.25f * ((c[0] + c[1]) + (c[2] + c[3]));
+  };
+  return {mass(x, y), mass(x + 1, y), mass(x, y + 1), mass(x + 1, y + 1)};
 }
 
 namespace {
@@ -111,30 +134,39 @@ bool warp_half(float& u, float lower, float upper) {
   return takes_upper;
 }
 
+// The part of a block of 2x2 that `u` falls in: (x, y) becomes its place on the next finer level.
+void descend(const float* block, Vec2& u, int& x, int& y) {
+  const int right = warp_half(u.x, block[0] + block[2], block[1] + block[3]);
+  const int above = warp_half(u.y, block[right], block[2 + right]);
+  x = 2 * x + right;
+  y = 2 * y + above;
+}
+
 }  // namespace
 
 Distribution2D::Sample Distribution2D::sample(Vec2 u) const {
   int x = 0, y = 0;
-  for (size_t i = levels_.size(); i-- > 0;) {
-    const float* block = &levels_[i].sums[levels_[i].at(2 * x, 2 * y)];
-    const int right = warp_half(u.x, block[0] + block[2], block[1] + block[3]);
-    const int above = warp_half(u.y, block[right], block[2 + right]);
-    x = 2 * x + right;
-    y = 2 * y + above;
-  }
-  const auto place = [](int cell, float fraction, int count) {
-    return std::min((static_cast<float>(cell) + fraction) / static_cast<float>(count),
+  for (size_t i = levels_.size(); i-- > 0;)
+    descend(&levels_[i].sums[levels_[i].at(2 * x, 2 * y)], u, x, y);
+  descend(block_masses(2 * x, 2 * y).data(), u, x, y);
+  const Corners c = corners(x, y);
+  const BilinearSquare cell(c);
+  const Vec2 at = cell.sample(u);
+  const auto place = [](int index, float fraction, int count) {
+    return std::min((static_cast<float>(index) + fraction) / static_cast<float>(count),
                     k_one_minus_epsilon);
   };
-  return {{place(x, u.x, width_), place(y, u.y, height_)}, levels_[0].sums[levels_[0].at(x, y)]};
+  return {{place(x, at.x, width_), place(y, at.y, height_)}, bilinear(c, at)};
 }
 
 float Distribution2D::pdf(Vec2 position) const {
-  if (levels_.empty()) return 0.0f;
-  const auto cell = [](float p, int count) {
-    return std::clamp(static_cast<int>(p * static_cast<float>(count)), 0, count - 1);
-  };
-  return levels_[0].sums[levels_[0].at(cell(position.x, width_), cell(position.y, height_))];
+  if (empty()) return 0.0f;
+  const float x = position.x * static_cast<float>(width_);
+  const float y = position.y * static_cast<float>(height_);
+  const int column = std::clamp(static_cast<int>(x), 0, width_ - 1);
+  const int row = std::clamp(static_cast<int>(y), 0, height_ - 1);
+  return bilinear(corners(column, row),
+                  {x - static_cast<float>(column), y - static_cast<float>(row)});
 }
 
 }  // namespace tenniel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,13 +39,15 @@ class AliasTable {
   double total_ = 0.0;
 };
 
-// Density over [0,1)^2, constant on each cell of a width x height grid, sampled by hierarchical
-// warping down a pyramid of 2x2 sums (Clarberg et al. 2005): keeps the stratification of `u`.
+// Density over [0,1)^2, bilinear between the corners of width x height cells, sampled by
+// hierarchical warping down a pyramid of 2x2 sums (Clarberg et al. 2005): keeps the stratification
+// of `u`.
 class Distribution2D {
  public:
   Distribution2D() = default;
-  // `values`: (height, width) row-major, row 0 at y = 0; negative and non-finite count as 0.
-  Distribution2D(std::span<const float> values, int width, int height);
+  // `values` at the corners: (height + 1, width + 1) row-major, row 0 at y = 0; negative and
+  // non-finite count as 0.
+  Distribution2D(std::vector<float> values, int width, int height);
 
   struct Sample {
     Vec2 position;  // [0,1)^2
@@ -52,10 +55,11 @@ class Distribution2D {
   };
   Sample sample(Vec2 u) const;
   float pdf(Vec2 position) const;
-  bool empty() const { return levels_.empty(); }
+  bool empty() const { return density_.empty(); }
   double average() const { return average_; }
 
  private:
+  using Corners = std::array<float, 4>;  // lower left, lower right, upper left, upper right
   struct Level {
     int width = 0, height = 0;  // padded to even, the padding is 0
     std::vector<float> sums;    // blocks of 2x2 in a row: one descent reads one cache line
@@ -64,7 +68,13 @@ class Distribution2D {
       return static_cast<size_t>(block) * 4 + static_cast<size_t>((y & 1) * 2 + (x & 1));
     }
   };
-  std::vector<Level> levels_;  // 0 = finest: the density itself
+  Corners corners(int x, int y) const;
+  // What the four cells around the corner (x + 1, y + 1) hold; beyond the grid nothing.
+  Corners block_masses(int x, int y) const;
+  void build_pyramid();
+
+  std::vector<float> density_;  // at the corners
+  std::vector<Level> levels_;   // from sums of 2x2 cells to at most 2x2 sums
   int width_ = 0, height_ = 0;
   double average_ = 0.0;
 };

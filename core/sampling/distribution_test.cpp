@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -71,21 +72,27 @@ TEST(AliasTable, NeverDrawsTheImpossible) {
   EXPECT_EQ(table.sample(k_one_minus_epsilon).index, 437u);
 }
 
+// Cells, and values at their corners.
 struct Grid {
   const char* name;
   int width, height;
   std::vector<float> values;
 
   size_t index(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+    return static_cast<size_t>(y) * static_cast<size_t>(width + 1) + static_cast<size_t>(x);
   }
 };
 
+Grid dark_grid(const char* name, int width, int height, float value = 0.0f) {
+  return {name, width, height,
+          std::vector<float>(static_cast<size_t>((width + 1) * (height + 1)), value)};
+}
+
 Grid random_grid(const char* name, int width, int height) {
-  Grid grid{name, width, height, {}};
+  Grid grid = dark_grid(name, width, height);
   LocalRandom random(static_cast<uint32_t>(width * 1000 + height));
-  for (int i = 0; i < width * height; ++i)
-    grid.values.push_back(std::exp(6.0f * random.get_1d()));
+  for (float& value : grid.values)
+    value = std::exp(6.0f * random.get_1d());
   return grid;
 }
 
@@ -94,17 +101,17 @@ std::vector<Grid> grids() {
                         random_grid("row", 9, 1), random_grid("column", 1, 5),
                         random_grid("cell", 1, 1)};
   Grid zero_rows = random_grid("zero rows", 10, 6);
-  for (int x = 0; x < 10; ++x)
-    for (const int y : {0, 3, 5})
+  for (int x = 0; x <= 10; ++x)
+    for (const int y : {0, 3, 4, 6})
       zero_rows.values[zero_rows.index(x, y)] = 0.0f;
-  zero_rows.values[12] = -4.0f;
-  zero_rows.values[13] = std::nanf("");
+  zero_rows.values[zero_rows.index(2, 1)] = -4.0f;
+  zero_rows.values[zero_rows.index(3, 1)] = std::nanf("");
   all.push_back(zero_rows);
-  Grid single{"single", 33, 17, std::vector<float>(33 * 17, 0.0f)};
-  single.values[16 * 33 + 32] = 2.5e-20f;
+  Grid single = dark_grid("single", 33, 17);
+  single.values[single.index(33, 17)] = 2.5e-20f;
   all.push_back(single);
-  Grid sun{"sun", 64, 32, std::vector<float>(64 * 32, 1e-3f)};
-  sun.values[700] = 1e6f;
+  Grid sun = dark_grid("sun", 64, 32, 1e-3f);
+  sun.values[sun.index(60, 10)] = 1e6f;
   all.push_back(sun);
   return all;
 }
@@ -118,10 +125,12 @@ TEST(Distribution2D, PdfIntegratesToOne) {
         const Vec2 p{(static_cast<float>(x) + 0.5f) / static_cast<float>(g.width),
                      (static_cast<float>(y) + 0.5f) / static_cast<float>(g.height)};
         sum += static_cast<double>(d.pdf(p)) / (g.width * g.height);
-        const float v = g.values[g.index(x, y)];
-        if (v > 0.0f) {
-          total += v;
-        } else {
+        double cell = 0.0;
+        for (const size_t corner : {g.index(x, y), g.index(x, y + 1)})
+          for (const float v : {g.values[corner], g.values[corner + 1]})
+            cell += v > 0.0f ? 0.25 * v : 0.0;
+        total += cell;
+        if (cell == 0.0) {
           EXPECT_EQ(d.pdf(p), 0.0f) << g.name;
         }
       }
@@ -175,23 +184,34 @@ TEST(Distribution2DStatistics, SamplesFollowThePdf) {
   }
 }
 
+TEST(Distribution2D, IsBilinearBetweenTheCorners) {
+  const Distribution2D d({1.0f, 3.0f, 5.0f, 7.0f}, 1, 1);
+  EXPECT_DOUBLE_EQ(d.average(), 4.0);
+  EXPECT_FLOAT_EQ(d.pdf({0.0f, 0.0f}), 0.25f);
+  EXPECT_FLOAT_EQ(d.pdf({0.5f, 0.0f}), 0.5f);
+  EXPECT_FLOAT_EQ(d.pdf({0.25f, 0.75f}), (1.0f + 0.5f + 3.0f) / 4.0f);
+}
+
 TEST(Distribution2D, SampleAndPdfAgree) {
   for (const Grid& g : grids()) {
     const Distribution2D d(g.values, g.width, g.height);
     LocalRandom random(5);
     for (int i = 0; i < 2000; ++i) {
       const auto s = d.sample(random.get_2d());
-      // A position rounded onto an edge of its cell may be looked up next door.
-      const float fx = s.position.x * static_cast<float>(g.width);
-      const float fy = s.position.y * static_cast<float>(g.height);
-      if (std::abs(fx - std::round(fx)) < 1e-4f || std::abs(fy - std::round(fy)) < 1e-4f) continue;
-      ASSERT_EQ(s.pdf, d.pdf(s.position)) << g.name;
+      // The place in its cell is rounded: the steeper the cell, the more this says.
+      const auto w = static_cast<float>(g.width), h = static_cast<float>(g.height);
+      const float x = std::floor(s.position.x * w), y = std::floor(s.position.y * h);
+      float steepest = 0.0f;
+      for (const Vec2 corner :
+           {Vec2{x, y}, Vec2{x + 1.0f, y}, Vec2{x, y + 1.0f}, Vec2{x + 1.0f, y + 1.0f}})
+        steepest = std::max(steepest, d.pdf({corner.x / w, corner.y / h}));
+      ASSERT_NEAR(s.pdf, d.pdf(s.position), 3e-5f * steepest) << g.name;
     }
   }
 }
 
 TEST(Distribution2D, KeepsStratification) {
-  const Distribution2D d(std::vector<float>(64, 2.0f), 8, 8);
+  const Distribution2D d(std::vector<float>(81, 2.0f), 8, 8);
   const auto s = d.sample({0.3f, 0.8f});
   EXPECT_NEAR(s.position.x, 0.3f, 1e-6f);
   EXPECT_NEAR(s.position.y, 0.8f, 1e-6f);
@@ -199,7 +219,7 @@ TEST(Distribution2D, KeepsStratification) {
 }
 
 TEST(Distribution2D, IsEmptyWithoutLight) {
-  const Distribution2D d(std::vector<float>(12, 0.0f), 4, 3);
+  const Distribution2D d(std::vector<float>(20, 0.0f), 4, 3);
   EXPECT_TRUE(d.empty());
   EXPECT_EQ(d.pdf({0.5f, 0.5f}), 0.0f);
   EXPECT_EQ(d.average(), 0.0);
@@ -207,7 +227,7 @@ TEST(Distribution2D, IsEmptyWithoutLight) {
 }
 
 TEST(Distribution2D, HugeValuesDoNotOverflow) {
-  const Distribution2D d(std::vector<float>(16, 3e38f), 4, 4);
+  const Distribution2D d(std::vector<float>(25, 3e38f), 4, 4);
   EXPECT_FLOAT_EQ(d.sample({0.1f, 0.9f}).pdf, 1.0f);
 }
 

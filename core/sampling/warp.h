@@ -92,8 +92,13 @@ constexpr float triangle_pdf(float area) {
   return 1.0f / area;
 }
 
-// The unit square with a density that is bilinear between its corners (values >= 0, not all 0):
-// `corners` = at (0, 0), (1, 0), (0, 1), (1, 1).
+// Between values at (0, 0), (1, 0), (0, 1), (1, 1).
+constexpr float bilinear(const std::array<float, 4>& corners, Vec2 at) {
+  return lerp(lerp(corners[0], corners[1], at.x), lerp(corners[2], corners[3], at.x), at.y);
+}
+
+// The unit square with a density that is bilinear between its corners (values >= 0, not all 0),
+// in the order of `bilinear`.
 class BilinearSquare {
  public:
   explicit constexpr BilinearSquare(const std::array<float, 4>& corners) : c_(corners) {}
@@ -102,8 +107,7 @@ class BilinearSquare {
     return {sample_linear(u.x, lerp(c_[0], c_[2], y), lerp(c_[1], c_[3], y)), y};
   }
   constexpr float pdf(Vec2 at) const {
-    const float value = lerp(lerp(c_[0], c_[1], at.x), lerp(c_[2], c_[3], at.x), at.y);
-    return 4.0f * value / (c_[0] + c_[1] + c_[2] + c_[3]);
+    return 4.0f * bilinear(c_, at) / (c_[0] + c_[1] + c_[2] + c_[3]);
   }
 
  private:

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lamps in Blender 3.4's units to radiance, emissive meshes and worlds to lights.
+// Lamps in Blender 3.4's units to radiance, and emissive meshes to lights.
 #include <algorithm>
 #include <cmath>
 
 #include "scene/compile_scene.h"
-#include "shading/nodes/attribute_names.h"
 
 namespace tenniel {
 
 namespace {
-
-// Rows of the world's map, half as many as columns.
-constexpr int k_auto_map_height = 512, k_fine_map_height = 1024;
 
 // Radiant flux P in watts -> intensity P / (4 pi) of a point, spread over the disk pi r^2 that
 // every receiver sees: radiance P / (4 pi^2 r^2).
@@ -94,16 +90,6 @@ float expected_emission(const Scene& scene, const Instance& instance, const Mate
   return count > 0 ? std::max(static_cast<float>(sum / count), 1e-3f) : 0.0f;
 }
 
-// Whether a tree may differ between the worlds that it is used in.
-bool knows_its_world(const NodeGraph& graph) {
-  return std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const GraphNode& node) {
-    const auto found = node.settings.find("attribute_name");
-    if (found == node.settings.end()) return false;
-    const auto* name = std::get_if<std::string>(&found->second);
-    return name && (*name == k_behind_mirror || *name == k_dream);
-  });
-}
-
 }  // namespace
 
 void SceneCompiler::compile_lights() {
@@ -155,63 +141,11 @@ void SceneCompiler::compile_lights() {
     lights.push_back(std::move(light));
   }
 
-  compile_environments(context);
+  compile_environments();
   for (uint32_t i = 0; i < lights.size(); ++i)
     if (is_hittable(lights[i])) scene.hittable_lamps.push_back(i);
   for (WorldIndex w = 0; w < k_world_count; ++w)
     scene.light_samplers[w] = LightSampler(lights, w);
-}
-
-const WorldDesc& SceneCompiler::world_desc(WorldIndex w) const {
-  return description.worlds[w < description.worlds.size() ? w : 0u];
-}
-
-// The light of an earlier world that looks the same; null if there is none.
-const EnvironmentLight* SceneCompiler::equal_environment(WorldIndex w) const {
-  const WorldDesc& desc = world_desc(w);
-  if (knows_its_world(desc.graph)) return nullptr;
-  for (WorldIndex other = 0; other < w; ++other)
-    if (scene.worlds[other].light >= 0 && world_desc(other) == desc)
-      return scene.lights[static_cast<size_t>(scene.worlds[other].light)].as<EnvironmentLight>();
-  return nullptr;
-}
-
-EnvironmentLight SceneCompiler::baked_environment(WorldIndex w, ShadingContext& context) const {
-  const World& world = scene.worlds[w];
-  const WorldDesc& desc = world_desc(w);
-  // A sun that no sample can be aimed at must be wider than a cell of the map.
-  const auto& suns = world.material.suns;
-  const bool hides_sun = world.material.has_hidden_sun || suns.size() > 1;
-  const int auto_height = hides_sun ? k_fine_map_height : k_auto_map_height;
-  const int height =
-      desc.sampling == "MANUAL" ? std::clamp(desc.map_resolution / 2, 4, 4096) : auto_height;
-  const PathInfo path{RayKind::diffuse, w, false, true, 1, 1, 0, 0, 0};
-  return EnvironmentLight(
-      [&](Vec3 direction) { return background_radiance(scene, world, direction, path, context); },
-      2 * height, height, suns.size() == 1 ? std::optional<SunDisk>(suns.front()) : std::nullopt);
-}
-
-// Each world has a light of its own, since each belongs to one world alone; those that look the
-// same share the map. One that is the same in all directions is met best by chance: a light sample
-// would take the place of one of a lamp. Measured under a sun and a grey world: 1/38 of the noise.
-void SceneCompiler::compile_environments(ShadingContext& context) {
-  const auto worlds = static_cast<WorldIndex>(worlds_in_use());
-  for (WorldIndex w = 0; w < worlds; ++w) {
-    World& world = scene.worlds[w];
-    const WorldDesc& desc = world_desc(w);
-    const bool is_sampled = desc.sampling != "NONE" && !world.material.is_emission_constant;
-    if (!world.material.emits || !is_sampled) continue;
-    Light light;
-    light.name = desc.name;
-    light.visibility = world.visibility;
-    light.max_bounces = desc.max_bounces;
-    if (const EnvironmentLight* equal = equal_environment(w))
-      light.shape = *equal;
-    else
-      light.shape = baked_environment(w, context);
-    world.light = static_cast<int>(scene.lights.size());
-    scene.lights.push_back(std::move(light));
-  }
 }
 
 }  // namespace tenniel

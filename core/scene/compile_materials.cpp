@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shader trees to programs, and the images they read to textures.
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -79,6 +80,9 @@ class TextureTable {
         continue;
       }
       compiler_.scene.images.push_back(result.image);
+      ImageSize& size = compiler_.image_sizes[index];
+      size = {std::max(size.width, result.image->width),
+              std::max(size.height, result.image->height)};
       tiles.emplace(tile.number, std::move(result.image));
     }
     return tiles;

@@ -91,7 +91,7 @@ std::shared_ptr<const Scene> compile_scene(SceneDescription description, Diagnos
                                            const CompileControl& control) {
   auto scene = std::make_shared<Scene>();
   scene->occlusion_distance = description.settings.occlusion_distance;
-  SceneCompiler compiler{description, diagnostics, control, *scene, {}, {}};
+  SceneCompiler compiler{description, diagnostics, control, *scene, {}, {}, {}};
   const auto stage = [&](const char* name, void (SceneCompiler::*run)()) {
     if (compiler.is_cancelled()) return;
     if (control.on_stage) control.on_stage(name);

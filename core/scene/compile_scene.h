@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "math/cancellation.h"
@@ -29,6 +30,10 @@ std::vector<Transform> motion_from(const std::vector<Matrix34>& steps);
 // Where each of the passes has its floats.
 std::vector<AovPass> layout_aovs(const std::vector<AovDesc>& descriptions);
 
+struct ImageSize {
+  int width = 0, height = 0;
+};
+
 // Stages of compile_scene, in this order, one file each.
 struct SceneCompiler {
   SceneDescription& description;
@@ -37,6 +42,7 @@ struct SceneCompiler {
   Scene& scene;
   AttributeIds attributes;
   std::vector<std::vector<std::string>> tangents_of_material;  // UV names, per material
+  std::map<int, ImageSize> image_sizes;  // of the images that were loaded, by their index
 
   void compile_camera();
   void compile_grids();
@@ -44,9 +50,10 @@ struct SceneCompiler {
   void compile_geometry();   // meshes, instances, acceleration structure
   void compile_media();      // what is filled
   void compile_lights();     // lamps, mesh lights, environments, light choice
-  void compile_environments(ShadingContext& context);
+  void compile_environments();
   const EnvironmentLight* equal_environment(WorldIndex w) const;
-  EnvironmentLight baked_environment(WorldIndex w, ShadingContext& context) const;
+  ImageSize map_size(WorldIndex w) const;
+  EnvironmentLight baked_environment(WorldIndex w) const;
   // 1 where no path can leave this side, else all.
   size_t worlds_in_use() const;
   const WorldDesc& world_desc(WorldIndex w) const;
