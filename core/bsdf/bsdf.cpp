@@ -33,43 +33,20 @@ void Bsdf::begin(Vec3 geometric_normal, Vec3 shading_normal, Vec3 wo, bool is_ha
   wo_ = wo;
   count_ = 0;
   lobes_ = smooth_lobes_ = LobeSet::none();
+  is_lambert_ = false;
 }
 
-void Bsdf::add(const Lobe& lobe, Spectrum weight, Vec3 normal) {
-  append(lobe, weight, normal, nullptr);
-}
-
-void Bsdf::add(const Lobe& lobe, Spectrum weight, Vec3 normal, Vec3 tangent) {
-  append(lobe, weight, normal, &tangent);
-}
-
-void Bsdf::append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent) {
-  if (!is_finite(weight) || !is_finite(normal)) return;
-  weight = positive(weight);
-  if (is_black(weight)) return;
-  // There is room for one more than is kept.
+void Bsdf::place(const Spectrum& weight, const Vec3& normal, const Vec3* tangent) {
   Weighted& entry = entries_[static_cast<size_t>(count_)];
-  entry.lobe = lobe;
-  const bool is_valid = visit_lobe(
-      [&entry](auto& l) {
-        entry.lobe_class = l.lobe_class();
-        return l.make_valid();
-      },
-      entry.lobe);
-  if (!is_valid) return;
-  entry.is_fiber = std::holds_alternative<HairFiber>(entry.lobe);
-  entry.is_round = entry.is_fiber || (is_hair_ && std::holds_alternative<HairLobe>(entry.lobe));
   const Vec3 raised =
       is_hair_ || entry.is_fiber ? normal : ensure_valid_reflection(geometric_normal_, wo_, normal);
   const bool has_tangent = tangent && is_finite(*tangent);
-  entry.weight = weight;
+  entry.weight = positive(weight);
   entry.frame =
       has_tangent ? Frame::from_normal_tangent(raised, *tangent) : Frame::from_normal(raised);
   entry.wo = entry.frame.to_local(wo_);
   entry.wo.z = std::max(entry.wo.z, k_min_cos);
-  const bool scatters_diffusely =
-      entry.lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(entry.lobe);
-  entry.is_bumped = scatters_diffusely && differ(raised, shading_normal_);
+  entry.is_bumped = entry.scatters_diffusely && differ(raised, shading_normal_);
   if (++count_ > k_max_lobes) drop_faintest();
 }
 
@@ -82,20 +59,27 @@ void Bsdf::drop_faintest() {
   --count_;
 }
 
-void Bsdf::drop_caustics(bool reflective, bool refractive) {
+void Bsdf::drop_mirrors(bool reflective, bool refractive) {
   const auto is_dropped = [&](const Weighted& entry) {
     if (entry.is_fiber) return false;
     if (entry.lobe_class == LobeClass::glossy) return reflective;
-    return entry.lobe_class == LobeClass::transmission && refractive &&
-           !std::holds_alternative<Translucent>(entry.lobe);
+    return entry.lobe_class == LobeClass::transmission && refractive && !entry.scatters_diffusely;
   };
   count_ = static_cast<int>(
       std::remove_if(entries_.begin(), entries_.begin() + count_, is_dropped) - entries_.begin());
 }
 
 void Bsdf::finish() {
-  lobes_ = smooth_lobes_ = LobeSet::none();
   has_stochastic_ = false;
+  is_lambert_ = count_ == 1 && std::holds_alternative<Diffuse>(entries_[0].lobe) && !is_hair_ &&
+                !entries_[0].is_bumped;
+  if (is_lambert_) {
+    entries_[0].probability = 1.0f;
+    entries_[0].is_delta = false;
+    lobes_ = smooth_lobes_ = LobeSet::of(LobeClass::diffuse);
+    return;
+  }
+  lobes_ = smooth_lobes_ = LobeSet::none();
   float total = 0.0f;
   for (int i = 0; i < count_; ++i) {
     Weighted& entry = entries_[static_cast<size_t>(i)];
@@ -112,6 +96,10 @@ void Bsdf::finish() {
     if (!entry.is_delta) smooth_lobes_ = smooth_lobes_.with(entry.lobe_class);
     has_stochastic_ |= !entry.is_delta && is_stochastic(entry.lobe);
   }
+  if (count_ == 1 && total > 0.0f) {
+    entries_[0].probability = 1.0f;
+    return;
+  }
   const float scale = total > 0.0f ? 1.0f / total : 0.0f;
   for (int i = 0; i < count_; ++i)
     entries_[static_cast<size_t>(i)].probability *= scale;
@@ -119,16 +107,15 @@ void Bsdf::finish() {
 
 // Whether light from `wi` is on the side of the true surface that the class scatters to: shading
 // normals must not let it leak through.
-bool Bsdf::reaches(const Weighted& entry, Vec3 wi) const {
+inline bool Bsdf::reaches(const Weighted& entry, Vec3 wi) const {
   // A flat ribbon stands for something round: on hairs the lobe's own normal says what is inside.
   const float cos_geometric = dot(is_hair_ ? entry.frame.z : geometric_normal_, wi);
   if (entry.lobe_class == LobeClass::transparent || entry.is_round) return true;
   return entry.lobe_class == LobeClass::transmission ? cos_geometric < 0.0f : cos_geometric > 0.0f;
 }
 
-// Whether light that was sampled in `wi` counts.
-bool Bsdf::is_lit_from(const Weighted& entry, Vec3 wi) const {
-  if (!is_hair_ || entry.is_fiber) return reaches(entry, wi);
+// Whether light that was sampled in `wi` counts on a hair whose lobe is that of a face.
+bool Bsdf::is_hair_lit_from(const Weighted& entry, Vec3 wi) const {
   const bool is_in_front = dot(shading_normal_, wi) > 0.0f;
   if (entry.lobe_class == LobeClass::transmission) return !is_in_front;
   if (!entry.is_round) return is_in_front;
@@ -137,7 +124,7 @@ bool Bsdf::is_lit_from(const Weighted& entry, Vec3 wi) const {
   return is_in_front && dot(wi, wo_ - along * dot(along, wo_)) > 0.0f;
 }
 
-LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
+inline LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
   const Vec3 wi_local = entry.frame.to_local(wi);
   LobeEval e = visit_lobe([&](const auto& l) { return l.eval(entry.wo, wi_local); }, entry.lobe);
   e.value *= entry.weight;
@@ -145,14 +132,15 @@ LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
   return e;
 }
 
-BsdfEval Bsdf::eval(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
+BsdfEval Bsdf::eval_lobes(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
   BsdfEval sum;
   const LobeSet wanted = (value_lobes | pdf_lobes) & smooth_lobes_;
   if (wanted.empty()) return sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     if (entry.is_delta || !wanted.has(entry.lobe_class)) continue;
-    const bool can_be_drawn = reaches(entry, wi), is_lit = is_lit_from(entry, wi);
+    const bool can_be_drawn = reaches(entry, wi);
+    const bool is_lit = is_hair_ && !entry.is_fiber ? is_hair_lit_from(entry, wi) : can_be_drawn;
     if (!can_be_drawn && !is_lit) continue;
     const LobeEval e = eval_entry(entry, wi);
     if (is_lit && value_lobes.has(entry.lobe_class)) sum.value += e.value;
@@ -161,11 +149,8 @@ BsdfEval Bsdf::eval(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
   return sum;
 }
 
-Spectrum Bsdf::value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
+Spectrum Bsdf::reflected_beyond_horizon(Vec3 wi, LobeSet lobes) const {
   Spectrum sum;
-  // On a hair `eval` leaves out nothing.
-  if (is_hair_ || dot(geometric_normal_, wi) > 0.0f || !(dot(shading_normal_, wi) > 0.0f))
-    return sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     const bool reflects =
@@ -176,7 +161,7 @@ Spectrum Bsdf::value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
   return sum;
 }
 
-std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
+std::optional<BsdfSample> Bsdf::sample_lobes(float u_lobe, Vec2 u) const {
   const Weighted* chosen = nullptr;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
@@ -198,8 +183,7 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, Vec2 u) const {
   s.wi = chosen->frame.to_world(local->wi);
   s.lobe_class = chosen->lobe_class;
   s.is_delta = chosen->is_delta;
-  s.is_diffuse =
-      chosen->lobe_class == LobeClass::diffuse || std::holds_alternative<Translucent>(chosen->lobe);
+  s.is_diffuse = chosen->scatters_diffusely;
   if (s.lobe_class == LobeClass::transparent) s.wi = -wo_;
   if (!reaches(*chosen, s.wi)) return std::nullopt;
   s.pdf = chosen->probability * local->pdf;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 #include "bsdf/lobe.h"
 #include "math/frame.h"
@@ -47,21 +48,39 @@ class Bsdf {
   // Appends a lobe around `normal` (unit, world; raised where `wo` would lie below it) with
   // anisotropy along `tangent`. Black, non-finite and surplus lobes (beyond k_max_lobes) are
   // dropped, the smallest weight first.
-  void add(const Lobe& lobe, Spectrum weight, Vec3 normal);
-  void add(const Lobe& lobe, Spectrum weight, Vec3 normal, Vec3 tangent);
+  template <class L>
+  void add(const L& lobe, const Spectrum& weight, const Vec3& normal) {
+    append(lobe, weight, normal, nullptr);
+  }
+  template <class L>
+  void add(const L& lobe, const Spectrum& weight, const Vec3& normal, const Vec3& tangent) {
+    append(lobe, weight, normal, &tangent);
+  }
   // Takes away lobes that make caustics: mirror-like reflection, refraction. Before `finish`.
-  void drop_caustics(bool reflective, bool refractive);
+  void drop_caustics(bool reflective, bool refractive) {
+    if (reflective || refractive) drop_mirrors(reflective, refractive);
+  }
   // After the last `add`: fixes the probability of each lobe (proportional to weight * albedo(wo)).
   void finish();
 
   // Value over `value_lobes`, pdf over `pdf_lobes`: a light hidden from some lobes drops their
   // value but not their pdf, and a looking glass asks for one group in both.
   BsdfEval eval(Vec3 wi, LobeSet value_lobes = LobeSet::all(),
-                LobeSet pdf_lobes = LobeSet::all()) const;
+                LobeSet pdf_lobes = LobeSet::all()) const {
+    return is_lambert_ ? eval_lambert(wi, value_lobes, pdf_lobes)
+                       : eval_lobes(wi, value_lobes, pdf_lobes);
+  }
   // What `eval` leaves out: reflection toward a `wi` above the shading normal's horizon but below
   // the true one, which no sample takes. For light on the smooth surface that facets stand for.
-  Spectrum value_beyond_horizon(Vec3 wi, LobeSet lobes) const;
-  std::optional<BsdfSample> sample(float u_lobe, Vec2 u) const;
+  Spectrum value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
+    // On a hair `eval` leaves out nothing.
+    if (is_hair_ || dot(geometric_normal_, wi) > 0.0f || !(dot(shading_normal_, wi) > 0.0f))
+      return {};
+    return reflected_beyond_horizon(wi, lobes);
+  }
+  std::optional<BsdfSample> sample(float u_lobe, Vec2 u) const {
+    return is_lambert_ ? sample_lambert(u) : sample_lobes(u_lobe, u);
+  }
 
   // Sum of the weights that pass straight through (transparent lobes).
   Spectrum transparency() const;
@@ -88,22 +107,80 @@ class Bsdf {
     float probability = 0.0f;
     LobeClass lobe_class = LobeClass::diffuse;
     bool is_delta = false;
-    bool is_round = false;   // scatters all around a hair: its directions have no sides
-    bool is_fiber = false;   // so do its values
-    bool is_bumped = false;  // diffuse or translucent, around another normal than the shading one
+    bool is_round = false;            // scatters all around a hair: its directions have no sides
+    bool is_fiber = false;            // so do its values
+    bool scatters_diffusely = false;  // diffuse or translucent
+    bool is_bumped = false;           // so, and around another normal than the shading one
   };
-  void append(const Lobe& lobe, Spectrum weight, Vec3 normal, const Vec3* tangent);
+  // `lobe`: one of the alternatives, or a Lobe that holds any.
+  template <class L>
+  void append(const L& lobe, const Spectrum& weight, const Vec3& normal, const Vec3* tangent);
+  // Keeps the entry behind the last, whose lobe is set and valid.
+  void place(const Spectrum& weight, const Vec3& normal, const Vec3* tangent);
   void drop_faintest();
+  BsdfEval eval_lobes(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
+  std::optional<BsdfSample> sample_lobes(float u_lobe, Vec2 u) const;
+  BsdfEval eval_lambert(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
+  std::optional<BsdfSample> sample_lambert(Vec2 u) const;
+  void drop_mirrors(bool reflective, bool refractive);
+  Spectrum reflected_beyond_horizon(Vec3 wi, LobeSet lobes) const;
   // One entry's part of `eval`: its value times weight, its pdf without the probability.
   LobeEval eval_entry(const Weighted& entry, Vec3 wi) const;
   bool reaches(const Weighted& entry, Vec3 wi) const;
-  bool is_lit_from(const Weighted& entry, Vec3 wi) const;
+  bool is_hair_lit_from(const Weighted& entry, Vec3 wi) const;
 
   std::array<Weighted, k_max_lobes + 1> entries_;
   int count_ = 0;
   LobeSet lobes_ = LobeSet::none(), smooth_lobes_ = LobeSet::none();
   bool has_stochastic_ = false, is_hair_ = false;
+  // One Lambert lobe around the shading normal of a face is all: the commonest surface by far, and
+  // worth a way of its own.
+  bool is_lambert_ = false;
   Vec3 geometric_normal_, shading_normal_, wo_;
 };
+
+inline BsdfEval Bsdf::eval_lambert(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const {
+  const Weighted& entry = entries_[0];
+  BsdfEval e;
+  if (!(dot(geometric_normal_, wi) > 0.0f)) return e;
+  const float pdf = cosine_hemisphere_pdf(dot(entry.frame.z, wi));
+  if (value_lobes.has(LobeClass::diffuse)) e.value = entry.weight * pdf;
+  if (pdf_lobes.has(LobeClass::diffuse)) e.pdf = pdf;
+  return e;
+}
+
+inline std::optional<BsdfSample> Bsdf::sample_lambert(Vec2 u) const {
+  const Weighted& entry = entries_[0];
+  const Vec3 local = warp_cosine_hemisphere(u);
+  const Vec3 wi = entry.frame.to_world(local);
+  const float pdf = cosine_hemisphere_pdf(local.z);
+  if (!(pdf > 0.0f) || !(dot(geometric_normal_, wi) > 0.0f)) return std::nullopt;
+  return BsdfSample{.wi = wi,
+                    .weight = entry.weight,
+                    .pdf = pdf,
+                    .lobe_class = LobeClass::diffuse,
+                    .is_diffuse = true,
+                    .roughness = Diffuse::roughness()};
+}
+
+// Made where it stays: a copy of the whole variant would wait for each of its parts to be written.
+template <class L>
+void Bsdf::append(const L& lobe, const Spectrum& weight, const Vec3& normal, const Vec3* tangent) {
+  if constexpr (std::is_same_v<L, Lobe>) {
+    visit_lobe([&](const auto& l) { append(l, weight, normal, tangent); }, lobe);
+  } else {
+    if (!(max_component(weight) > 0.0f) || !is_finite(weight) || !is_finite(normal)) return;
+    // There is room for one more than is kept.
+    Weighted& entry = entries_[static_cast<size_t>(count_)];
+    L& kept = entry.lobe.template emplace<L>(lobe);
+    if (!kept.make_valid()) return;
+    entry.lobe_class = kept.lobe_class();
+    entry.is_fiber = std::is_same_v<L, HairFiber>;
+    entry.is_round = entry.is_fiber || (is_hair_ && std::is_same_v<L, HairLobe>);
+    entry.scatters_diffusely =
+        entry.lobe_class == LobeClass::diffuse || std::is_same_v<L, Translucent>;
+    place(weight, normal, tangent);
+  }
+}
 
 }  // namespace tenniel

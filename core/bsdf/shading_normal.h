@@ -16,7 +16,10 @@ namespace tenniel {
 inline Vec3 ensure_valid_reflection(Vec3 geometric_normal, Vec3 wo, Vec3 normal) {
   const float cos_geometric = dot(geometric_normal, wo);
   const float height = std::min(0.9f * cos_geometric, 0.01f);
-  if (dot(normal, wo) > 0.0f && dot(geometric_normal, reflect(wo, normal)) >= height) return normal;
+  const float cos_normal = dot(normal, wo);
+  // Of the mirror direction, 2 (n.wo) n - wo.
+  const float mirrored = 2.0f * cos_normal * dot(geometric_normal, normal) - cos_geometric;
+  if (cos_normal > 0.0f && mirrored >= height) return normal;
   const Vec3 off = normal - geometric_normal * dot(normal, geometric_normal);
   const float off_length = length(off);
   if (!(off_length > 1e-6f)) return geometric_normal;

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Instruction-set levels: what is built (TENNIEL_ISA_LEVELS) and how one level is compiled.
 
-# v2 has no registers of 256 bits, so how functions pass the sampler's vectors depends on the level:
-# no matter, as a level calls only what was compiled for it.
+# v2 has no registers of 256 bits and v3 none of 512, so how functions pass the sampler's vectors
+# depends on the level: no matter, as a level calls only what was compiled for it.
 set(TENNIEL_ISA_FLAGS_v2 -march=x86-64-v2 -Wno-psabi)
-set(TENNIEL_ISA_FLAGS_v3 -march=x86-64-v3)
+set(TENNIEL_ISA_FLAGS_v3 -march=x86-64-v3 -Wno-psabi)
 # 256-bit vectors on v4 too: the wide ones lower the clock and scalar shading gains nothing.
 set(TENNIEL_ISA_FLAGS_v4 -march=x86-64-v4 -mprefer-vector-width=256)
 

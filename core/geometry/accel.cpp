@@ -74,6 +74,12 @@ uint32_t instance_of(const RTCHit& hit) {
   return hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID;
 }
 
+std::optional<Hit> answer(const RTCRayHit& query) {
+  const RTCHit& hit = query.hit;
+  if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{query.ray.tfar, hit.u, hit.v, hit.primID, instance_of(hit)};
+}
+
 constexpr uint32_t k_any_instance = RTC_INVALID_GEOMETRY_ID;
 
 // What a filter knows of its query.
@@ -168,6 +174,7 @@ struct Accel::State {
   // The smallest scene that holds `instance`, and the ray in its space; null: never hit.
   RTCScene scene_of(uint32_t instance, const Transform* world_to_object, Ray& ray) const;
   bool commit(RTCScene scene);  // false: cancelled
+  std::optional<Hit> intersect_among_hairs(const Ray& ray, uint32_t mask, FaceId left) const;
   // Whether Embree may see `ray`; counts those that it must not.
   bool accepts(const Ray& ray) const {
     if (is_usable(ray)) return true;
@@ -351,18 +358,26 @@ std::shared_ptr<const Accel> Accel::build(std::span<const Mesh> meshes,
 std::optional<Hit> Accel::intersect(const Ray& ray, uint32_t mask, FaceId left) const {
   if (!state_->top) return {};
   if (!state_->accepts(ray)) return {};
-  const float behind = state_->has_hairs ? ray.behind : 0.0f;
-  RTCRayHit query = unanswered(ray, mask, behind);
+  if (state_->has_hairs) return state_->intersect_among_hairs(ray, mask, left);
+  RTCRayHit query = unanswered(ray, mask);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(state_->top.get(), &context, &query);
+  return answer(query);
+}
+
+std::optional<Hit> Accel::State::intersect_among_hairs(const Ray& ray, uint32_t mask,
+                                                       FaceId left) const {
+  RTCRayHit query = unanswered(ray, mask, ray.behind);
   FilterContext context;
   rtcInitIntersectContext(&context.embree);
-  if (state_->has_hairs && left.is_known()) {
+  if (left.is_known()) {
     context.embree.filter = skip_face;
     context.left = left;
   }
-  rtcIntersect1(state_->top.get(), &context.embree, &query);
-  const RTCHit& hit = query.hit;
-  if (hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return Hit{query.ray.tfar - behind, hit.u, hit.v, hit.primID, instance_of(hit)};
+  rtcIntersect1(top.get(), &context.embree, &query);
+  query.ray.tfar -= ray.behind;
+  return answer(query);
 }
 
 size_t Accel::intersect_all(const Ray& ray, uint32_t mask, std::span<Hit> hits) const {

@@ -31,8 +31,8 @@ class Accel {
   // ribbon overlap where it bends.
   std::optional<Hit> intersect(const Ray& ray, uint32_t mask, FaceId left = {}) const;
   bool occluded(const Ray& ray, uint32_t mask) const;
-  // Asked of the faces that a ray meets, in no order, until one blocks it. A face may come twice: on
-  // the diagonal of a quad, where pieces of a ribbon overlap.
+  // Asked of the faces that a ray meets, in no order, until one blocks it. A face may come twice:
+  // on the diagonal of a quad, where pieces of a ribbon overlap.
   class Blocker {
    public:
     virtual bool blocks(const Hit& hit) = 0;

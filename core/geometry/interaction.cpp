@@ -23,7 +23,7 @@ bool in_second_half(const Mesh& mesh, const uint32_t* face_vertices, const Hit& 
 struct CornerNormals {
   const Vec3 *a = nullptr, *b = nullptr, *c = nullptr;
 };
-CornerNormals smooth_normals(const SurfaceInteraction& at) {
+inline CornerNormals smooth_normals(const SurfaceInteraction& at) {
   const Mesh& mesh = *at.mesh;
   if (!mesh.is_smooth(at.face)) return {};
   const bool by_corner = !mesh.corner_normals.empty();
@@ -63,22 +63,9 @@ Vec3 place_on_triangle(SurfaceInteraction& at) {
   return flips ? -normal : normal;
 }
 
-}  // namespace
-
-SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instance& instance,
-                                    const Mesh& mesh, float footprint) {
-  SurfaceInteraction at;
-  at.wo = -ray.direction;
-  at.t = hit.t;
-  at.time = ray.time;
-  at.footprint = footprint;
-  at.instance = &instance;
-  at.mesh = &mesh;
-  at.face = hit.face;
-  if (mesh.shape != Shape::faces) {
-    place_on_strand(ray, hit, at);
-    return at;
-  }
+// Everything of `at` that follows from where on a face the hit lies.
+void place_on_face(const Hit& hit, SurfaceInteraction& at) {
+  const Mesh& mesh = *at.mesh;
   const uint32_t* ids = &mesh.face_vertices[hit.face * mesh.stride()];
   const bool second = in_second_half(mesh, ids, hit);
   at.is_second_half = second;
@@ -99,6 +86,24 @@ SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instan
     n = normalize_or(n, front);
     at.shading_normal = at.is_back_facing ? -n : n;
   }
+}
+
+}  // namespace
+
+SurfaceInteraction make_interaction(const Ray& ray, const Hit& hit, const Instance& instance,
+                                    const Mesh& mesh, float footprint) {
+  SurfaceInteraction at;
+  at.wo = -ray.direction;
+  at.t = hit.t;
+  at.time = ray.time;
+  at.footprint = footprint;
+  at.instance = &instance;
+  at.mesh = &mesh;
+  at.face = hit.face;
+  if (mesh.shape == Shape::faces)
+    place_on_face(hit, at);
+  else
+    place_on_strand(ray, hit, at);
   return at;
 }
 
@@ -208,21 +213,7 @@ Vec3 to_smooth_surface(const SurfaceInteraction& at) {
   return height > 0.0f && is_finite(normal) ? normal * height : Vec3();
 }
 
-Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
-  constexpr float k_near_origin = 1.0f / 32.0f;
-  constexpr float k_float_scale = 1.0f / 65536.0f;
-  constexpr float k_int_scale = 256.0f;
-  const Vec3 n = face_forward(geometric_normal, direction);
-  const auto moved = [](float p, float along) {
-    const auto steps = static_cast<int32_t>(k_int_scale * along);
-    const auto bits = static_cast<int32_t>(float_bits(p)) + (p < 0.0f ? -steps : steps);
-    return std::abs(p) < k_near_origin ? p + k_float_scale * along
-                                       : bits_float(static_cast<uint32_t>(bits));
-  };
-  return {moved(position.x, n.x), moved(position.y, n.y), moved(position.z, n.z)};
-}
-
-Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction) {
+Vec3 offset_from_strand_or_instance(const SurfaceInteraction& at, Vec3 direction) {
   Vec3 origin = offset_ray_origin(at.position, at.geometric_normal, direction);
   // Embree finds a tube by steps, which end a little beside it.
   if (at.mesh->shape == Shape::tubes)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "geometry/instance.h"
@@ -89,8 +90,30 @@ Vec3 to_smooth_surface(const SurfaceInteraction& at);
 // Start of a ray that leaves `position` toward `direction`, moved off the surface by the error
 // bound of the intersection (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
 // Self-Intersection").
-Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction);
-// The same from a surface; a true instance far from its own origin rounds by its translation too.
-Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction);
+inline Vec3 offset_ray_origin(Vec3 position, Vec3 geometric_normal, Vec3 direction) {
+  using Floats = float __attribute__((vector_size(16)));
+  using Ints = int32_t __attribute__((vector_size(16)));
+  constexpr float k_near_origin = 1.0f / 32.0f;
+  constexpr float k_float_scale = 1.0f / 65536.0f;
+  constexpr float k_int_scale = 256.0f;
+  const Vec3 n = face_forward(geometric_normal, direction);
+  const Floats p{position.x, position.y, position.z}, along{n.x, n.y, n.z};
+  const Ints steps = __builtin_convertvector(k_int_scale * along, Ints);
+  const Ints bits = std::bit_cast<Ints>(p) + (p < 0.0f ? -steps : steps);
+  const Ints is_near = (p < k_near_origin) & (p > -k_near_origin);
+  const Floats moved = is_near ? p + k_float_scale * along : std::bit_cast<Floats>(bits);
+  return {moved[0], moved[1], moved[2]};
+}
+
+// The same from where more than the position is rounded: a true instance far from its own origin
+// rounds by its translation too.
+Vec3 offset_from_strand_or_instance(const SurfaceInteraction& at, Vec3 direction);
+
+// The same from any surface.
+inline Vec3 offset_ray_origin(const SurfaceInteraction& at, Vec3 direction) {
+  if (at.mesh->is_world_space && at.mesh->shape == Shape::faces)
+    return offset_ray_origin(at.position, at.geometric_normal, direction);
+  return offset_from_strand_or_instance(at, direction);
+}
 
 }  // namespace tenniel

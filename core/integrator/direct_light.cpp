@@ -13,11 +13,14 @@ namespace {
 
 // The lobes that `light` shows itself to in `world`.
 LobeSet lobes_that_see(Visibility visibility, WorldIndex world) {
-  LobeSet lobes = LobeSet::none();
-  if (visibility.seen_by(world, RayKind::diffuse)) lobes = lobes.with(LobeClass::diffuse);
-  if (visibility.seen_by(world, RayKind::glossy)) lobes = lobes.with(LobeClass::glossy);
-  if (visibility.seen_by(world, RayKind::transmission)) lobes = lobes.with(LobeClass::transmission);
-  return lobes;
+  // Ray kinds and classes of lobes follow each other in one order.
+  static_assert(ray_mask(0, RayKind::glossy) == ray_mask(0, RayKind::diffuse) << 1 &&
+                ray_mask(0, RayKind::transmission) == ray_mask(0, RayKind::diffuse) << 2);
+  static_assert(LobeSet::of(LobeClass::diffuse).bits == 1 &&
+                LobeSet::of(LobeClass::glossy).bits == 2 &&
+                LobeSet::of(LobeClass::transmission).bits == 4);
+  const uint32_t seen = visibility.bits / ray_mask(world, RayKind::diffuse);
+  return {static_cast<uint8_t>(seen & 7u)};
 }
 
 std::optional<LightSample> sample_mesh_light(const Scene& scene, const MeshLight& light,
@@ -48,22 +51,57 @@ std::optional<LightSample> sample_environment(const Scene& scene, const Environm
   return LightSample{drawn->wi, k_infinity, radiance, drawn->pdf, false};
 }
 
-}  // namespace
+PathInfo path_of_light_sample(PathInfo path, WorldIndex world) {
+  path.world = world;
+  ++path.ray_depth;
+  path.is_light_sample = true;
+  return path;
+}
 
-std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
-                                        const ShadingPoint& point, const PathInfo& path, Vec2 u,
-                                        ShadingContext& scratch) {
+// A light whose radiance takes a shader. Out of line: lamps without one need none of its room.
+[[gnu::noinline]] std::optional<LightSample> sample_shaded_light(
+    const Scene& scene, const Light& light, const ShadingPoint& point, const PathInfo& at,
+    WorldIndex world, Vec2 u, ShadingContext& scratch) {
+  const PathInfo path = path_of_light_sample(at, world);
   if (const auto* mesh = light.as<MeshLight>())
     return sample_mesh_light(scene, *mesh, point, path, u, scratch);
   if (const auto* environment = light.as<EnvironmentLight>())
     return sample_environment(scene, *environment, path, u, scratch);
   auto sample = sample_lamp(light, point, u);
-  if (sample && light.material) {
-    const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
-    sample->radiance *=
-        lamp_emission(scene, light, position, sample->wi, sample->distance, path, scratch);
-  }
+  if (!sample) return sample;
+  const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
+  sample->radiance *=
+      lamp_emission(scene, light, position, sample->wi, sample->distance, path, scratch);
   return sample;
+}
+
+// What `sample_light` does, within its caller. Lamps without a tree need not know of the path.
+[[gnu::always_inline]] inline std::optional<LightSample> aim_at(
+    const Scene& scene, const Light& light, const ShadingPoint& point, const PathInfo& at,
+    WorldIndex world, Vec2 u, ShadingContext& scratch) {
+  return light.is_lamp() && !light.material
+             ? sample_lamp(light, point, u)
+             : sample_shaded_light(scene, light, point, at, world, u, scratch);
+}
+
+// The same factor as `transmittance`, where there are media as well.
+[[gnu::noinline]] Spectrum transmittance_through_media(const Scene& scene,
+                                                       const RenderSettings& settings,
+                                                       const PathState& state, WorldIndex world,
+                                                       const Ray& ray, Worker& worker) {
+  const SegmentStart start = segment_from(scene, worker.surface.surface, ray.direction, state.media,
+                                          state.info.world, world);
+  PathInfo path = state.info;
+  path.world = world;
+  return media_transmittance(scene, settings, ray, start, path, worker.light);
+}
+
+}  // namespace
+
+std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
+                                        const ShadingPoint& point, const PathInfo& at,
+                                        WorldIndex world, Vec2 u, ShadingContext& scratch) {
+  return aim_at(scene, light, point, at, world, u, scratch);
 }
 
 Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
@@ -73,11 +111,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
   if (!choice) return {};
   const Light& light = scene.lights[choice->light];
   if (state.info.ray_depth > light.max_bounces) return {};
-  PathInfo path = state.info;
-  path.world = group.world;
-  ++path.ray_depth;
-  path.is_light_sample = true;
-  const auto sample = sample_light(scene, light, point, path, u.place, worker.light);
+  const auto sample = aim_at(scene, light, point, state.info, group.world, u.place, worker.light);
   if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
 
   const Bsdf& bsdf = worker.surface.bsdf;
@@ -106,47 +140,33 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
       ray.t_max = distance * (1.0f - 1e-4f);
     }
     ray.time = state.ray.time;
-    if (scene.has_media) {
-      const SegmentStart start =
-          segment_from(scene, at, sample->wi, state.media, state.info.world, group.world);
-      path = state.info;
-      path.world = group.world;
-      result *= media_transmittance(scene, settings, ray, start, path, worker.light);
-    } else {
-      result *= transmittance(scene, settings, ray, group.world, state.info, worker);
-    }
+    result *= scene.has_media
+                  ? transmittance_through_media(scene, settings, state, group.world, ray, worker)
+                  : transmittance(scene, settings, ray, group.world, state.info, worker);
   }
   return result;
 }
 
-Spectrum lamps_met(const Scene& scene, const PathState& state, float t_max, Worker& worker) {
-  Spectrum sum;
-  for (const uint32_t index : scene.hittable_lamps) {
-    const Light& light = scene.lights[index];
-    if (!light.visibility.seen_by(state.info.world, state.info.kind)) continue;
-    const auto hit = intersect_lamp(light, state.ray);
-    // A sun lies behind everything: only a ray that meets nothing gets there.
-    if (!hit || hit->t > t_max || (hit->t == k_infinity && t_max < k_infinity)) continue;
-    float weight = 1.0f;
-    if (state.pdf > 0.0f) {
-      // The density is seen from where the path last scattered, also through transparent surfaces.
-      const float light_pdf =
-          lamp_pdf(light, state.origin, state.ray.direction) *
-          scene.light_samplers[state.info.world].probability(state.origin, index);
-      weight = power_heuristic(state.pdf, light_pdf);
-    }
-    Spectrum radiance = hit->radiance;
-    if (light.material) {
-      const Vec3 position = state.ray.at(std::min(hit->t, 1e6f));
-      radiance *= lamp_emission(scene, light, position, state.ray.direction, hit->t, state.info,
-                                worker.light);
-    }
-    if (scene.has_media)
-      radiance *= segment_transmittance(scene, state.media, state.ray, state.skipped_before,
-                                        state.skipped_before + hit->t, state.info, worker.light);
-    sum += radiance * weight;
+Spectrum lamp_met(const Scene& scene, const PathState& state, uint32_t index, const LampHit& hit,
+                  Worker& worker) {
+  const Light& light = scene.lights[index];
+  float weight = 1.0f;
+  if (state.pdf > 0.0f) {
+    // The density is seen from where the path last scattered, also through transparent surfaces.
+    const float light_pdf = lamp_pdf(light, state.origin, state.ray.direction) *
+                            scene.light_samplers[state.info.world].probability(state.origin, index);
+    weight = power_heuristic(state.pdf, light_pdf);
   }
-  return sum;
+  Spectrum radiance = hit.radiance;
+  if (light.material) {
+    const Vec3 position = state.ray.at(std::min(hit.t, 1e6f));
+    radiance *=
+        lamp_emission(scene, light, position, state.ray.direction, hit.t, state.info, worker.light);
+  }
+  if (scene.has_media)
+    radiance *= segment_transmittance(scene, state.media, state.ray, state.skipped_before,
+                                      state.skipped_before + hit.t, state.info, worker.light);
+  return radiance * weight;
 }
 
 float surface_emission_weight(const Scene& scene, const PathState& state,

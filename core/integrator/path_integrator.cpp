@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/path_integrator.h"
 
+#include <array>
 #include <new>
 
 #include "integrator/direct_light.h"
@@ -62,6 +63,8 @@ class PathTracer {
   Worker& worker_;
   PathState state_;
   VertexNumbers numbers_{};
+  std::array<VertexNumbers, 2> pair_{};
+  uint32_t pair_at_hand_ = ~0u;
   SampleResult result_;
   bool is_recorded_ = false;
 };
@@ -120,9 +123,18 @@ SampleResult PathTracer::trace(Vec2 raster) {
   return result_;
 }
 
+// For two vertices at once, an even one and the next.
 void PathTracer::take_numbers() {
-  numbers_ = worker_.sampler.vertex_numbers(k_camera_dimensions +
-                                            state_.vertices * k_dimensions_per_vertex);
+  const uint32_t vertex = state_.vertices;
+  const uint32_t pair = vertex / 2;
+  if (pair != pair_at_hand_) {
+    const uint32_t first = k_camera_dimensions + 2 * pair * k_dimensions_per_vertex;
+    pair_ = worker_.sampler.numbers_of_two_vertices(first, k_dimensions_per_vertex);
+    pair_at_hand_ = pair;
+  }
+  numbers_ = pair_[vertex % 2];
+  worker_.sampler.set_dimension(k_camera_dimensions + vertex * k_dimensions_per_vertex +
+                                VertexNumbers::k_requests);
 }
 
 void PathTracer::add(Spectrum radiance, int bounces, bool is_through_glass) {
@@ -197,7 +209,8 @@ void PathTracer::evaluate(const SurfaceInteraction& at) {
   if (state_.ends_after_transparent) return;
 
   Bsdf& bsdf = context.bsdf;
-  bsdf.add(Transparent(), context.transparency, at.geometric_normal);
+  if (!is_black(context.transparency))
+    bsdf.add(Transparent(), context.transparency, at.geometric_normal);
   if (state_.info.kind == RayKind::diffuse)
     bsdf.drop_caustics(!settings_.caustics_reflective, !settings_.caustics_refractive);
   bsdf.finish();

@@ -49,11 +49,8 @@ class TransparentFaces final : public Accel::Blocker {
 
 }  // namespace
 
-Vec3 shadow_ray_origin(const SurfaceInteraction& at, Vec3 wi) {
-  if (is_on_hair(at)) return offset_ray_origin(at, wi);
+Vec3 origin_on_smooth_surface(const SurfaceInteraction& at, Vec3 wi, float smooth, float flat) {
   const float cutoff = at.instance->terminator_cutoff;
-  const float smooth = dot(at.shading_normal, wi), flat = dot(at.geometric_normal, wi);
-  if (!(smooth > 0.0f) || !(flat < cutoff)) return offset_ray_origin(at, wi);
   const float amount = smooth < cutoff ? 2.0f - (flat + smooth) / cutoff : 1.0f - flat / cutoff;
   const Vec3 above = offset_ray_origin(at, flat > 0.0f ? wi : at.geometric_normal);
   return above + to_smooth_surface(at) * saturate(amount);
@@ -69,11 +66,10 @@ Spectrum surface_transparency(const Scene& scene, const SurfaceInteraction& at,
   return is_on_hair(at) ? Spectrum(mean(scratch.transparency)) : scratch.transparency;
 }
 
-Spectrum transmittance(const Scene& scene, const RenderSettings& settings, const Ray& ray,
-                       WorldIndex world, const PathInfo& path, Worker& worker) {
+Spectrum transmittance_of_surfaces(const Scene& scene, const RenderSettings& settings,
+                                   const Ray& ray, WorldIndex world, const PathInfo& path,
+                                   Worker& worker) {
   const uint32_t mask = ray_mask(world, RayKind::shadow);
-  if (!scene.has_transparent_shadows)
-    return scene.accel->occluded(ray, mask) ? Spectrum() : Spectrum(1.0f);
   const int passes = settings.transparent_max_bounces - path.transparent_depth;
   TransparentFaces faces(
       scene, world, std::span(worker.shadow_hits).first(static_cast<size_t>(std::max(passes, 0))));

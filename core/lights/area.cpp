@@ -34,7 +34,7 @@ void AreaLight::set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v,
   axis_v = normalize_or(edge_v, {0.0f, 1.0f, 0.0f});
   is_rectangle = std::abs(dot(axis_u, axis_v)) <= 1e-4f;
   const Vec3 plane = cross(edge_u, edge_v);
-  for (size_t i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i) {
     const Vec3 corner = edge_u * (i % 2 == 0 ? -0.5f : 0.5f) + edge_v * (i < 2 ? -0.5f : 0.5f);
     corners_x[i] = corner.x;
     corners_y[i] = corner.y;
@@ -42,6 +42,7 @@ void AreaLight::set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v,
   }
   const float squared = length_squared(plane);
   parallelogram = std::sqrt(squared);
+  inverse_parallelogram = 1.0f / parallelogram;
   if (!(squared > 0.0f)) return;
   dual_u = cross(edge_v, plane) / squared;
   dual_v = cross(plane, edge_u) / squared;
@@ -88,19 +89,23 @@ AreaLight::Method AreaLight::method_for(Vec3 from) const {
 // The cosine at the lamp is the height above its plane, common to all corners, over the distance.
 BilinearSquare AreaLight::irradiance_estimate(const ShadingPoint& point) const {
   const Vec3 to_center = center - point.position, n = point.normal;
-  std::array<float, 4> value;
-  for (size_t i = 0; i < 4; ++i) {
-    const float x = corners_x[i] + to_center.x, y = corners_y[i] + to_center.y,
-                z = corners_z[i] + to_center.z;
-    const float d2 = x * x + y * y + z * z;
-    const float height = point.has_hemisphere ? x * n.x + y * n.y + z * n.z : std::sqrt(d2);
-    value[i] = (height > 0.0f ? height : 0.0f) / (d2 * d2);
+  const Corners x = corners_x + to_center.x, y = corners_y + to_center.y,
+                z = corners_z + to_center.z;
+  const Corners d2 = x * x + y * y + z * z;
+  Corners height;
+  if (point.has_hemisphere) {
+    height = x * n.x + y * n.y + z * n.z;
+    height = height > 0.0f ? height : Corners{};
+  } else {
+    for (int i = 0; i < 4; ++i)
+      height[i] = std::sqrt(d2[i]);
   }
+  const Corners value = height / (d2 * d2);
   const float largest = std::max(std::max(value[0], value[1]), std::max(value[2], value[3]));
   if (!(largest > 0.0f)) return BilinearSquare({1.0f, 1.0f, 1.0f, 1.0f});
-  for (float& v : value)
-    v = std::max(v, k_min_share * largest);
-  return BilinearSquare(value);
+  const float least = k_min_share * largest;
+  const Corners raised = value > least ? value : least + Corners{};
+  return BilinearSquare({raised[0], raised[1], raised[2], raised[3]});
 }
 
 float AreaLight::pdf(const ShadingPoint& point, Vec3 wi) const {
@@ -113,7 +118,7 @@ float AreaLight::pdf(const ShadingPoint& point, Vec3 wi) const {
     const SphericalRectangle rectangle = seen_from(point.position);
     if (rectangle.solid_angle() > 0.0f) return rectangle.pdf();
   }
-  float by_area = 1.0f / area();
+  float by_area = inverse_area();
   if (method == Method::bilinear) {
     const Vec3 local = wi * distance - to_center;
     by_area *=
@@ -126,7 +131,7 @@ std::optional<LightSample> AreaLight::sample(const ShadingPoint& point, Vec2 u) 
   const Vec3 to_center = center - point.position;
   if (dot(to_center, normal) >= 0.0f) return {};
   Vec3 to_light;
-  float solid_angle = 0.0f, by_area = 1.0f / area();
+  float solid_angle = 0.0f, by_area = inverse_area();
   switch (method_for(point.position)) {
     case Method::uniform_area: {
       const Vec2 disk = warp_concentric_disk(u) * 0.5f;
@@ -156,19 +161,6 @@ std::optional<LightSample> AreaLight::sample(const ShadingPoint& point, Vec2 u) 
   if (factor == 0.0f) return {};
   const float density = solid_angle > 0.0f ? 1.0f / solid_angle : by_area * sqr(distance) / cosine;
   return LightSample{wi, distance, radiance * factor, density, false};
-}
-
-std::optional<LampHit> AreaLight::intersect(const Ray& ray) const {
-  const float cosine = -dot(ray.direction, normal);
-  if (!(cosine > 0.0f)) return {};
-  const float t = -dot(center - ray.origin, normal) / cosine;
-  if (!(t > ray.t_min) || t >= ray.t_max) return {};
-  const Vec3 local = ray.at(t) - center;
-  const float u = dot(local, dual_u), v = dot(local, dual_v);
-  const bool inside =
-      is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
-  if (!inside) return {};
-  return LampHit{t, radiance * attenuation(cosine)};
 }
 
 }  // namespace tenniel

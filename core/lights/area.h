@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "lights/light_types.h"
@@ -13,20 +12,27 @@ namespace tenniel {
 
 // Blender's area lamp: a rectangle or an ellipse that shines on one side.
 struct AreaLight {
+  // A number for each corner, computed with together.
+  using Corners = float __attribute__((vector_size(16)));
+
   Vec3 center;
   Vec3 edge_u, edge_v;  // full extents, world space
   Vec3 normal;          // unit, the side that shines
   Vec3 axis_u, axis_v;  // unit, along the edges
   float length_u = 0.0f, length_v = 0.0f;
   Vec3 dual_u, dual_v;  // coordinates along the edges of a point in the plane; sheared lamps too
-  std::array<float, 4> corners_x{}, corners_y{}, corners_z{};  // from the center
-  float parallelogram = 0.0f;                                  // area spanned by the edges
+  Corners corners_x{}, corners_y{}, corners_z{};  // from the center
+  float parallelogram = 0.0f;                     // area spanned by the edges
+  float inverse_parallelogram = k_infinity;
   bool is_ellipse = false;
   bool is_rectangle = true;  // perpendicular edges: sampled by solid angle from nearby
   Spectrum radiance;         // along the normal
   float tan_spread = 0.0f;   // tan of the complement of half the spread; 0 = no limit
   float spread_normalization = 1.0f;
 
+  float inverse_area() const {
+    return is_ellipse ? inverse_parallelogram * (4.0f / k_pi) : inverse_parallelogram;
+  }
   float area() const { return is_ellipse ? parallelogram * (k_pi / 4.0f) : parallelogram; }
   // Sets center, edges and what follows from them.
   void set_place(Vec3 center_point, Vec3 full_edge_u, Vec3 full_edge_v, Vec3 shining_side);
@@ -47,5 +53,19 @@ struct AreaLight {
   BilinearSquare irradiance_estimate(const ShadingPoint& point) const;
   float attenuation(float cosine) const;
 };
+
+// Here for the sake of speed: every ray of a path asks each lamp.
+inline std::optional<LampHit> AreaLight::intersect(const Ray& ray) const {
+  const float cosine = -dot(ray.direction, normal);
+  if (!(cosine > 0.0f)) return {};
+  const float t = -dot(center - ray.origin, normal) / cosine;
+  if (!(t > ray.t_min) || t >= ray.t_max) return {};
+  const Vec3 local = ray.at(t) - center;
+  const float u = dot(local, dual_u), v = dot(local, dual_v);
+  const bool inside =
+      is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
+  if (!inside) return {};
+  return LampHit{t, radiance * attenuation(cosine)};
+}
 
 }  // namespace tenniel

@@ -56,31 +56,13 @@ bool is_hittable(const Light& light) {
                     light.shape);
 }
 
-std::optional<LightSample> sample_lamp(const Light& light, const ShadingPoint& point, Vec2 u) {
-  return std::visit(Overloaded{
-                        [](const MeshLight&) { return std::optional<LightSample>(); },
-                        [](const EnvironmentLight&) { return std::optional<LightSample>(); },
-                        [&](const auto& lamp) { return lamp.sample(point, u); },
-                    },
-                    light.shape);
-}
-
-std::optional<LampHit> intersect_lamp(const Light& light, const Ray& ray) {
-  return std::visit(Overloaded{
-                        [](const MeshLight&) { return std::optional<LampHit>(); },
-                        [](const EnvironmentLight&) { return std::optional<LampHit>(); },
-                        [&](const auto& lamp) { return lamp.intersect(ray); },
-                    },
-                    light.shape);
-}
-
 float lamp_pdf(const Light& light, const ShadingPoint& point, Vec3 wi) {
-  return std::visit(Overloaded{
-                        [](const MeshLight&) { return 0.0f; },
-                        [](const EnvironmentLight&) { return 0.0f; },
-                        [&](const auto& lamp) { return lamp.pdf(point, wi); },
-                    },
-                    light.shape);
+  return visit_shape(Overloaded{
+                         [](const MeshLight&) { return 0.0f; },
+                         [](const EnvironmentLight&) { return 0.0f; },
+                         [&](const auto& lamp) { return lamp.pdf(point, wi); },
+                     },
+                     light.shape);
 }
 
 std::optional<Vec3> center_of(const Light& light) {
@@ -96,7 +78,7 @@ float light_importance(const Light& light, const ShadingPoint& point) {
     const float area = l.radius > 0.0f ? l.area() : 1.0f;
     return ball_importance(mean(l.radiance) * area * factor, l.position, l.radius, point);
   };
-  return std::visit(
+  return visit_shape(
       Overloaded{
           [&](const PointLight& l) { return point_lamp(l, 1.0f); },
           [&](const SpotLight& l) {

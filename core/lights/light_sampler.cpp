@@ -45,9 +45,9 @@ float LightSampler::distance_to_nearest(Vec3 point) const {
   return std::sqrt(nearest_squared);
 }
 
-std::optional<LightChoice> LightSampler::choose(const ShadingPoint& point, float u) const {
+std::optional<LightChoice> LightSampler::choose_among_many(const ShadingPoint& point,
+                                                           float u) const {
   if (members_.empty()) return {};
-  if (members_.size() == 1) return LightChoice{members_[0], 1.0f};
   if (members_.size() > k_max_weighed) {
     if (by_power_.empty()) return {};
     const AliasTable::Choice choice = by_power_.sample(u);

@@ -24,7 +24,10 @@ class LightSampler {
   LightSampler(const std::vector<Light>& all, WorldIndex world);
 
   // Empty when no light can reach the point.
-  std::optional<LightChoice> choose(const ShadingPoint& point, float u) const;
+  std::optional<LightChoice> choose(const ShadingPoint& point, float u) const {
+    if (members_.size() == 1) return LightChoice{members_[0], 1.0f};
+    return choose_among_many(point, u);
+  }
   // Probability that `choose` returns `light` at `point`.
   float probability(const ShadingPoint& point, uint32_t light) const;
   bool empty() const { return members_.empty(); }
@@ -33,6 +36,8 @@ class LightSampler {
   float distance_to_nearest(Vec3 point) const;
 
  private:
+  std::optional<LightChoice> choose_among_many(const ShadingPoint& point, float u) const;
+
   const std::vector<Light>* all_ = nullptr;
   std::vector<uint32_t> members_;
   std::vector<int32_t> member_of_light_;  // index in members_, -1 = not in this world

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace tenniel {
 
@@ -106,8 +109,9 @@ inline Vec3 normalize_or(Vec3 a, Vec3 fallback) {
 inline bool is_finite(Vec2 a) {
   return std::isfinite(a.x) && std::isfinite(a.y);
 }
-inline bool is_finite(Vec3 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+constexpr bool is_finite(Vec3 a) {
+  const auto magnitude = [](float x) { return std::bit_cast<uint32_t>(x) & 0x7fffffffu; };
+  return std::max(magnitude(a.x), std::max(magnitude(a.y), magnitude(a.z))) < 0x7f800000u;
 }
 
 constexpr Vec3 reflect(Vec3 wo, Vec3 normal) {

@@ -11,8 +11,9 @@
 namespace tenniel {
 
 namespace detail {
-// The arithmetic below works on one number or, lane by lane, on eight.
-using Lanes = uint32_t __attribute__((vector_size(32)));
+// The arithmetic below works on one number or, lane by lane, on eight for each vertex.
+template <size_t vertices>
+using Lanes [[gnu::vector_size(vertices * 32)]] = uint32_t;
 
 template <class U>
 constexpr U reverse_bits(U x) {
@@ -91,9 +92,16 @@ class Sampler {
             scrambled(detail::reversed_sobol_1(index), mix_bits(seed ^ detail::k_salt_y))};
   }
   // The same numbers as that many requests from `dimension` on, which stand one after the other.
-  VertexNumbers vertex_numbers(uint32_t dimension);
+  VertexNumbers vertex_numbers(uint32_t dimension) const { return numbers_of<1>(dimension, 0)[0]; }
+  // And those of the vertex whose block begins `stride` dimensions further: both take little longer
+  // than one.
+  std::array<VertexNumbers, 2> numbers_of_two_vertices(uint32_t dimension, uint32_t stride) const {
+    return numbers_of<2>(dimension, stride);
+  }
 
  private:
+  template <size_t vertices>
+  std::array<VertexNumbers, vertices> numbers_of(uint32_t dimension, uint32_t stride) const;
   uint32_t next_seed() { return mix_bits(pixel_ + dimension_++ * 0x9e3779b9u); }
   // Every aligned block of 2^k indices stays one block, so nets stay nets.
   uint32_t shuffled_index(uint32_t seed) const {
@@ -109,22 +117,33 @@ class Sampler {
   uint32_t dimension_ = 0;
 };
 
-inline VertexNumbers Sampler::vertex_numbers(uint32_t dimension) {
-  using detail::Lanes;
-  constexpr Lanes k_request = {0, 1, 1, 2, 3, 3, 4, 4};
-  constexpr Lanes k_takes_y = {0, 0, ~0u, 0, 0, ~0u, 0, 0};
-  constexpr Lanes k_salt = detail::k_salt_x ^ (k_takes_y & (detail::k_salt_x ^ detail::k_salt_y));
-  dimension_ = dimension + VertexNumbers::k_requests;
-  const Lanes seed = mix_bits(pixel_ + (dimension + k_request) * 0x9e3779b9u);
+template <size_t vertices>
+std::array<VertexNumbers, vertices> Sampler::numbers_of(uint32_t dimension, uint32_t stride) const {
+  using Lanes = detail::Lanes<vertices>;
+  // Of the eight lanes of a vertex; the last one is idle.
+  constexpr std::array<uint32_t, 8> k_request = {0, 1, 1, 2, 3, 3, 4, 4};
+  constexpr std::array<uint32_t, 8> k_takes_y = {0, 0, ~0u, 0, 0, ~0u, 0, 0};
+  Lanes request, takes_y;
+  for (size_t i = 0; i < 8 * vertices; ++i) {
+    request[i] = dimension + k_request[i % 8] + (i < 8 ? 0 : stride);
+    takes_y[i] = k_takes_y[i % 8];
+  }
+  const Lanes salt = detail::k_salt_x ^ (takes_y & (detail::k_salt_x ^ detail::k_salt_y));
+  const Lanes seed = mix_bits(Lanes(pixel_ + request * 0x9e3779b9u));
   const Lanes index =
-      detail::reverse_bits(detail::permute_reversed(reversed_index_ + Lanes{}, seed));
-  const Lanes digits = (index & ~k_takes_y) | (detail::reversed_sobol_1(index) & k_takes_y);
+      detail::reverse_bits(detail::permute_reversed(Lanes(reversed_index_ + Lanes{}), seed));
+  const Lanes digits = (index & ~takes_y) | (detail::reversed_sobol_1(index) & takes_y);
   const Lanes bits =
-      detail::reverse_bits(detail::permute_reversed(digits, Lanes(mix_bits(seed ^ k_salt))));
-  std::array<float, 8> u;
+      detail::reverse_bits(detail::permute_reversed(digits, mix_bits(Lanes(seed ^ salt))));
+  std::array<float, 8 * vertices> u;
   for (size_t i = 0; i < u.size(); ++i)
     u[i] = uint_to_unit(bits[i]);
-  return {u[0], {u[1], u[2]}, u[3], {u[4], u[5]}, u[6]};
+  std::array<VertexNumbers, vertices> numbers;
+  for (size_t v = 0; v < vertices; ++v) {
+    const float* of = &u[8 * v];
+    numbers[v] = {of[0], {of[1], of[2]}, of[3], {of[4], of[5]}, of[6]};
+  }
+  return numbers;
 }
 
 // Plain generator (PCG32, O'Neill 2014) for loops of unknown length; seed it from one dimension.

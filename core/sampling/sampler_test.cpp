@@ -80,19 +80,24 @@ TEST(Sampler, DependsOnSeedPixelIndexAndDimensionOnly) {
   EXPECT_EQ(used.get_1d(), value) << "a request takes one dimension, whatever came before";
 }
 
+void expect_requests(const VertexNumbers& v, Sampler& sampler, uint32_t dimension) {
+  sampler.set_dimension(dimension);
+  EXPECT_EQ(v.light, sampler.get_1d());
+  EXPECT_TRUE(v.on_light == sampler.get_2d());
+  EXPECT_EQ(v.lobe, sampler.get_1d());
+  EXPECT_TRUE(v.wi == sampler.get_2d());
+  EXPECT_EQ(v.roulette, sampler.get_1d());
+}
+
 TEST(Sampler, NumbersOfAVertexAreThoseOfItsRequests) {
   Sampler one(7), many(7);
   for (uint32_t i = 0; i < 100; ++i) {
     one.start_sample(3, 5, i);
     many.start_sample(3, 5, i);
-    const VertexNumbers v = many.vertex_numbers(8 + i);
-    one.set_dimension(8 + i);
-    EXPECT_EQ(v.light, one.get_1d());
-    EXPECT_TRUE(v.on_light == one.get_2d());
-    EXPECT_EQ(v.lobe, one.get_1d());
-    EXPECT_TRUE(v.wi == one.get_2d());
-    EXPECT_EQ(v.roulette, one.get_1d());
-    EXPECT_EQ(many.get_1d(), one.get_1d());  // both stand behind the block now
+    const auto two = many.numbers_of_two_vertices(8 + i, 9);
+    expect_requests(many.vertex_numbers(8 + i), one, 8 + i);
+    expect_requests(two[0], one, 8 + i);
+    expect_requests(two[1], one, 17 + i);
   }
 }
 

@@ -81,8 +81,9 @@ float relative_ior(const SurfaceInteraction& surface, float ior) {
 
 void DiffuseNode::eval(ShadingContext& context) const {
   const float sigma = context.get(roughness);
-  const Lobe lobe = sigma > 0.0f ? Lobe(OrenNayar{sigma}) : Lobe(Diffuse{});
-  context.bsdf.add(lobe, context.get(color) * context.get(weight), context.normal(normal));
+  const Spectrum tint = context.get(color) * context.get(weight);
+  if (sigma > 0.0f) return context.bsdf.add(OrenNayar{sigma}, tint, context.normal(normal));
+  context.bsdf.add(Diffuse{}, tint, context.normal(normal));
 }
 
 void GlossyNode::eval(ShadingContext& context) const {

@@ -30,7 +30,8 @@ struct Principled {
   float roughness;
   float diffuse_weight, transmission_weight;
 
-  void add(const Lobe& lobe, Spectrum factor) const {
+  template <class L>
+  void add(const L& lobe, Spectrum factor) const {
     context.bsdf.add(lobe, factor * weight, normal);
   }
 
