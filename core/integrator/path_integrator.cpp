@@ -23,6 +23,13 @@ constexpr uint32_t k_camera_dimensions = 8;
 // A path that only passes through surfaces ends here whatever the settings say.
 constexpr uint32_t k_max_vertices = 1024;
 
+// The game after the last bounce, until it is settled.
+struct Roulette {
+  float probability = 1.0f;
+  const RadianceCache::Guess* guess = nullptr;
+  bool is_recorded = false;
+};
+
 // One path under way.
 class PathTracer {
  public:
@@ -46,6 +53,10 @@ class PathTracer {
   void record_first_surface(const SurfaceInteraction& at);
   bool survives(float u);
   bool survives_bounce(const SurfaceInteraction& at, const BsdfSample& sample);
+  void guess_bounce(const SurfaceInteraction& at, const BsdfSample& sample);
+  bool may_reach_world() const;
+  void settle_roulette(bool goes_on);
+  void leave_scene();
   void add_direct_light(const WorldGroups& groups, const ShadingPoint& point);
   bool bounce(const SurfaceInteraction& at, const WorldGroups& groups, const ShadingPoint& point);
   bool scatter_below(const SurfaceInteraction& at, const BsdfSample& sample);
@@ -65,6 +76,7 @@ class PathTracer {
   VertexNumbers numbers_{};
   std::array<VertexNumbers, 2> pair_{};
   uint32_t pair_at_hand_ = ~0u;
+  Roulette roulette_;
   SampleResult result_;
   bool is_recorded_ = false;
 };
@@ -88,6 +100,12 @@ SampleResult PathTracer::trace(Vec2 raster) {
   for (; state_.vertices < k_max_vertices; ++state_.vertices) {
     const uint32_t mask = ray_mask(state_.info.world, state_.info.kind);
     const auto hit = scene_.accel->intersect(state_.ray, mask, state_.left);
+    if (!hit && !scene_.has_media) {
+      leave_scene();
+      break;
+    }
+    if (roulette_.probability < 1.0f) settle_roulette(true);
+    roulette_ = {};
     add_lamps(hit ? hit->t : k_infinity);
     if (scene_.has_media) {
       const MediumEvent event = walk_media(hit ? hit->t : k_infinity);
@@ -268,26 +286,63 @@ bool PathTracer::survives(float u) {
   return true;
 }
 
-// The same after a bounce whose worth may be known. A path expected to bring C goes on with
-// probability p and brings C + (X - C) / p; otherwise it brings C. The mean is that of X whatever C
-// is, and the noise of the roulette is that of X - C alone.
+// The same after a bounce. Where the World shines the game is for what surfaces bring: the World is
+// met by chance, in part or at all, and a path that ended before it would leave that to luck twice.
 bool PathTracer::survives_bounce(const SurfaceInteraction& at, const BsdfSample& sample) {
+  roulette_ = {};
+  roulette_.probability = survival_probability(state_, settings_);
+  guess_bounce(at, sample);
+  const bool goes_on = numbers_.roulette < roulette_.probability;
+  if (!may_reach_world()) {
+    settle_roulette(goes_on);
+    return goes_on;
+  }
+  if (goes_on) return true;
+  if (scene_.accel->occluded(state_.ray, ray_mask(state_.info.world, state_.info.kind)))
+    settle_roulette(false);
+  else
+    leave_scene();
+  return false;
+}
+
+void PathTracer::guess_bounce(const SurfaceInteraction& at, const BsdfSample& sample) {
   const float cosine = dot(at.geometric_normal, sample.wi);
-  if (!sample.is_diffuse || !(cosine > 0.0f)) return survives(numbers_.roulette);
+  if (state_.ends_after_transparent || !sample.is_diffuse || !(cosine > 0.0f)) return;
   const WorldIndex world = state_.info.world;
   if (worker_.recorder) {
     const float weight = std::min(cosine * k_inv_pi / sample.pdf, 4.0f);
-    worker_.recorder->diffuse_bounce({at.position, at.geometric_normal, world, {}, weight},
-                                     state_.throughput, result_.radiance);
+    roulette_.is_recorded = worker_.recorder->diffuse_bounce(
+        {at.position, at.geometric_normal, world, {}, weight}, state_.throughput, result_.radiance);
   }
-  const float probability = survival_probability(state_, settings_);
-  if (!cache_ || probability >= 1.0f) return survives(numbers_.roulette);
-  const Spectrum* known = cache_->find(at.position, at.geometric_normal, world);
-  if (!known) return survives(numbers_.roulette);
-  const Spectrum expected = state_.throughput * *known;
-  const bool goes_on = survives(numbers_.roulette);
-  add_to_pixel(goes_on ? expected * (1.0f - 1.0f / probability) : expected, state_.has_entered);
-  return goes_on;
+  if (cache_ && roulette_.probability < 1.0f)
+    roulette_.guess = cache_->find(at.position, at.geometric_normal, world);
+}
+
+bool PathTracer::may_reach_world() const {
+  const World& world = scene_.worlds[state_.info.world];
+  if (roulette_.guess && !roulette_.guess->sees_world) return false;
+  return world.material.emits && !scene_.has_media &&
+         world.visibility.seen_by(state_.info.world, state_.info.kind);
+}
+
+// A path expected to bring C goes on with probability p and brings C + (X - C) / p; otherwise it
+// brings C. The mean is that of X whatever C is, and the noise of the roulette is that of X - C
+// alone.
+void PathTracer::settle_roulette(bool goes_on) {
+  const float scale = goes_on ? 1.0f / roulette_.probability : 0.0f;
+  if (roulette_.guess)
+    add_to_pixel(state_.throughput * roulette_.guess->from_surfaces * (1.0f - scale),
+                 state_.has_entered);
+  state_.throughput *= scale;
+  roulette_ = {};
+}
+
+// No surface ahead, so there was no game.
+void PathTracer::leave_scene() {
+  if (roulette_.is_recorded) worker_.recorder->leave_scene();
+  roulette_ = {};
+  add_lamps(k_infinity);
+  add_background();
 }
 
 void PathTracer::add_direct_light(const WorldGroups& groups, const ShadingPoint& point) {
@@ -385,8 +440,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.ray.behind = 0.0f;
   state_.left = {};
   state_.length_before = 0.0f;
-  if (state_.ends_after_transparent) return survives(numbers_.roulette) && may_still_meet_light();
-  return survives_bounce(at, *sample);
+  return (!state_.ends_after_transparent || may_still_meet_light()) && survives_bounce(at, *sample);
 }
 
 // Below the surface of the object and out again, as one vertex more that counts as no bounce: its

@@ -14,9 +14,14 @@ class PathRecorder {
   void begin() { count_ = 0; }
 
   // `record` without its radiance; `throughput` after the bounce, `gathered` by the path before it.
-  void diffuse_bounce(const RadianceRecord& record, Spectrum throughput, Spectrum gathered) {
-    if (count_ < k_max_bounces) bounces_[count_++] = {record, throughput, gathered};
+  // False once there is no more room.
+  bool diffuse_bounce(const RadianceRecord& record, Spectrum throughput, Spectrum gathered) {
+    if (count_ == k_max_bounces) return false;
+    bounces_[count_++] = {record, throughput, gathered};
+    return true;
   }
+  // Nothing but the World came after the last record.
+  void leave_scene() { bounces_[count_ - 1].record.has_left_scene = true; }
 
   // Hands out the records, once the path has ended with `total`.
   template <class Use>

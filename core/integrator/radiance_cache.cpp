@@ -14,6 +14,8 @@ namespace {
 // Measured in a closed room: from 3 to 12 cells the noise is the same, finer ones know too little.
 constexpr float k_cells_across = 6.0f;
 constexpr size_t k_min_records = 32;
+// Of all light. Where the World is less a ray more to look for it costs more than its noise.
+constexpr double k_least_share_of_world = 0.1;
 
 constexpr uint64_t k_coordinate_bits = 19;
 constexpr float k_half_range = 262144.0f;  // cells on each side of the origin
@@ -51,23 +53,28 @@ Bounds bounds_of(const std::vector<RadianceRecord>& records, float Vec3::*axis) 
 
 // Sums of the records of one cell.
 struct Sums {
-  size_t bounces = 0;
-  double weight = 0.0, r = 0.0, g = 0.0, b = 0.0;
+  size_t arrivals = 0;  // at surfaces
+  double weight = 0.0, r = 0.0, g = 0.0, b = 0.0, world = 0.0;
 
   void add(const RadianceRecord& record) {
-    ++bounces;
     const double w = static_cast<double>(record.weight);
+    if (record.has_left_scene) {
+      world += w * static_cast<double>(mean(record.radiance));
+      return;
+    }
+    ++arrivals;
     weight += w;
     r += w * static_cast<double>(record.radiance.r);
     g += w * static_cast<double>(record.radiance.g);
     b += w * static_cast<double>(record.radiance.b);
   }
 
-  bool is_usable() const { return bounces >= k_min_records && std::max({r, g, b}) > 0.0; }
+  bool is_usable() const { return arrivals >= k_min_records && std::max({r, g, b}) > 0.0; }
 
-  Spectrum mean() const {
-    return {static_cast<float>(r / weight), static_cast<float>(g / weight),
-            static_cast<float>(b / weight)};
+  RadianceCache::Guess guess() const {
+    return {{static_cast<float>(r / weight), static_cast<float>(g / weight),
+             static_cast<float>(b / weight)},
+            world > k_least_share_of_world * ((r + g + b) / 3.0 + world)};
   }
 };
 
@@ -109,16 +116,17 @@ RadianceCache::RadianceCache(const std::vector<RadianceRecord>& records) {
     Sums sums;
     for (; i < order.size() && order[i].first == key; ++i)
       sums.add(records[order[i].second]);
-    if (sums.is_usable()) known.push_back({key, sums.mean()});
+    if (sums.is_usable()) known.push_back({key, sums.guess()});
   }
   slots_.resize(std::bit_ceil(2 * known.size() + 1));
   for (const Slot& slot : known)
     slots_[slot_of(slot.key)] = slot;
 }
 
-const Spectrum* RadianceCache::find(Vec3 position, Vec3 normal, WorldIndex world) const {
+const RadianceCache::Guess* RadianceCache::find(Vec3 position, Vec3 normal,
+                                                WorldIndex world) const {
   const Slot& slot = slots_[slot_of(key_of(position, normal, world))];
-  return slot.key != 0 ? &slot.mean : nullptr;
+  return slot.key != 0 ? &slot.guess : nullptr;
 }
 
 }  // namespace tenniel

@@ -19,6 +19,7 @@ struct RadianceRecord {
   // cosine over that of the direction.
   Spectrum radiance;
   float weight = 1.0f;
+  bool has_left_scene = false;  // met the World, and nothing else
 };
 
 // A coarse guess of the light in the scene: cells of space by side and world. The roulette's
@@ -26,18 +27,22 @@ struct RadianceRecord {
 // the cells may be large and cut across walls.
 class RadianceCache {
  public:
+  struct Guess {
+    Spectrum from_surfaces;   // what a diffuse bounce brings if it meets one, without the albedo
+    bool sees_world = false;  // the World is a share of the light that counts
+  };
+
   // The order of the records counts for the last bits.
   explicit RadianceCache(const std::vector<RadianceRecord>& records);
 
-  // What a diffuse bounce is expected to bring, without the albedo. Null where too few training
-  // paths have been. `normal` on the side of the path.
-  const Spectrum* find(Vec3 position, Vec3 normal, WorldIndex world) const;
+  // Null where too few training paths have been. `normal` on the side of the path.
+  const Guess* find(Vec3 position, Vec3 normal, WorldIndex world) const;
 
  private:
   using Key = uint64_t;  // 0: none
   struct Slot {
     Key key = 0;
-    Spectrum mean;
+    Guess guess;
   };
   Key key_of(Vec3 position, Vec3 normal, WorldIndex world) const;
   size_t slot_of(Key key) const;

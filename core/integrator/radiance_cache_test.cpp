@@ -29,16 +29,16 @@ std::vector<RadianceRecord> room_of_records() {
 
 TEST(RadianceCache, KnowsTheMeanOfEachNeighbourhood) {
   const RadianceCache cache(room_of_records());
-  const Spectrum* left = cache.find({1.0f, 5.0f, 5.0f}, k_up, 0);
+  const RadianceCache::Guess* left = cache.find({1.0f, 5.0f, 5.0f}, k_up, 0);
   ASSERT_NE(left, nullptr);
-  EXPECT_NEAR(left->r, 1.0f, 0.05f);
-  EXPECT_EQ(left->g, 0.0f);
-  const Spectrum* right = cache.find({9.0f, 5.0f, 5.0f}, k_up, 0);
+  EXPECT_NEAR(left->from_surfaces.r, 1.0f, 0.05f);
+  EXPECT_EQ(left->from_surfaces.g, 0.0f);
+  const RadianceCache::Guess* right = cache.find({9.0f, 5.0f, 5.0f}, k_up, 0);
   ASSERT_NE(right, nullptr);
-  EXPECT_NEAR(right->r, 3.0f, 0.15f);
-  const Spectrum* below = cache.find({9.0f, 5.0f, 5.0f}, -k_up, 0);
+  EXPECT_NEAR(right->from_surfaces.r, 3.0f, 0.15f);
+  const RadianceCache::Guess* below = cache.find({9.0f, 5.0f, 5.0f}, -k_up, 0);
   ASSERT_NE(below, nullptr);
-  EXPECT_NEAR(below->b, 8.0f, 1e-4f);
+  EXPECT_NEAR(below->from_surfaces.b, 8.0f, 1e-4f);
 }
 
 TEST(RadianceCache, SaysNothingWhereItKnowsNothing) {
@@ -55,14 +55,33 @@ TEST(RadianceCache, OneFarVertexDoesNotStretchTheCells) {
   std::vector<RadianceRecord> records = room_of_records();
   records.push_back({{1e8f, 0.0f, 0.0f}, k_up, 0, Spectrum(1.0f)});
   const RadianceCache cache(records);
-  EXPECT_NEAR(cache.find({1.0f, 5.0f, 5.0f}, k_up, 0)->r, 1.0f, 0.05f);
+  EXPECT_NEAR(cache.find({1.0f, 5.0f, 5.0f}, k_up, 0)->from_surfaces.r, 1.0f, 0.05f);
 }
 
 TEST(RadianceCache, RecordsInOnePlaceAreOneCell) {
   const std::vector<RadianceRecord> records(100, {{1, 2, 3}, k_up, 2, Spectrum(0.5f)});
   const RadianceCache cache(records);
   ASSERT_NE(cache.find({1, 2, 3}, k_up, 2), nullptr);
-  EXPECT_FLOAT_EQ(cache.find({1, 2, 3}, k_up, 2)->g, 0.5f);
+  EXPECT_FLOAT_EQ(cache.find({1, 2, 3}, k_up, 2)->from_surfaces.g, 0.5f);
+}
+
+TEST(RadianceCache, KnowsWhereTheWorldCountsAndKeepsItApart) {
+  std::vector<RadianceRecord> records;
+  for (int i = 0; i < 40; ++i) {
+    records.push_back({{0, 0, 0}, k_up, 0, Spectrum(1.0f)});
+    records.push_back({{9, 0, 0}, k_up, 0, Spectrum(1.0f)});
+    if (i % 4) continue;
+    records.push_back({{0, 0, 0}, k_up, 0, Spectrum(2.0f), 1.0f, true});
+    records.push_back({{9, 0, 0}, k_up, 0, Spectrum(0.1f), 1.0f, true});
+  }
+  const RadianceCache cache(records);
+  const RadianceCache::Guess* bright = cache.find({0, 0, 0}, k_up, 0);
+  const RadianceCache::Guess* dim = cache.find({9, 0, 0}, k_up, 0);
+  ASSERT_TRUE(bright && dim);
+  EXPECT_TRUE(bright->sees_world);
+  EXPECT_FALSE(dim->sees_world);
+  EXPECT_FLOAT_EQ(bright->from_surfaces.r, 1.0f);
+  EXPECT_FLOAT_EQ(dim->from_surfaces.r, 1.0f);
 }
 
 TEST(PathRecorder, ARecordIsWhatCameAfterTheBounceOverItsThroughput) {
@@ -76,6 +95,19 @@ TEST(PathRecorder, ARecordIsWhatCameAfterTheBounceOverItsThroughput) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0], Spectrum(4.0f, 8.0f, 0.0f));
   EXPECT_FLOAT_EQ(found[1].r, 10.0f);
+}
+
+TEST(PathRecorder, TheLastBounceMayLeaveTheScene) {
+  PathRecorder recorder;
+  recorder.begin();
+  const RadianceRecord where{{}, k_up, 0, {}};
+  EXPECT_TRUE(recorder.diffuse_bounce(where, Spectrum(1.0f), Spectrum()));
+  EXPECT_TRUE(recorder.diffuse_bounce(where, Spectrum(0.5f), Spectrum(1.0f)));
+  recorder.leave_scene();
+  std::vector<bool> left;
+  recorder.finish(Spectrum(2.0f),
+                  [&](const RadianceRecord& r) { left.push_back(r.has_left_scene); });
+  EXPECT_EQ(left, (std::vector<bool>{false, true}));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "testing/render_scene.h"
 #include "testing/scene_builder.h"
 
@@ -23,16 +25,28 @@ SceneDescription closed_box(int size, int samples) {
   return b.scene;
 }
 
+// Blocks on a floor under a World of one colour, which is met by chance alone.
+SceneDescription open_blocks(int size, int samples) {
+  SceneBuilder b;
+  b.object(square(), diffuse(0.5f), at(0.0f, 0.0f, 0.0f, 4.0f));
+  b.object(box(), diffuse(0.5f), at(0.6f, 0.4f, 0.6f, 0.6f));
+  b.object(box(), diffuse(0.4f), at(-0.9f, 0.4f, 0.5f, 0.5f));
+  b.world(1.0f);
+  b.ortho_camera(turned(50.0f, 0.0f, -6.0f, 5.0f), 4.0f);
+  b.scene.settings.width = b.scene.settings.height = size;
+  b.scene.settings.samples = samples;
+  return b.scene;
+}
+
 struct Comparison {
   double mean = 0.0, error = 0.0;  // of the differences, and its standard error
   double noise_without = 0.0, noise_with = 0.0;
 };
 
-// With and without the cache, against each other and each against a second seed.
-Comparison compare() {
-  const auto picture = [](bool with, uint32_t seed) {
-    SceneDescription scene = closed_box(64, 128);
-    scene.settings.use_radiance_cache = with;
+// Two ways to play the roulette, against each other and each against a second seed.
+Comparison compare(const std::function<SceneDescription(bool with)>& scene_of) {
+  const auto picture = [&](bool with, uint32_t seed) {
+    SceneDescription scene = scene_of(with);
     scene.settings.seed = seed;
     return render(std::move(scene));
   };
@@ -56,11 +70,29 @@ Comparison compare() {
 }
 
 TEST(LightTrainingStatistics, SamePictureWithAndWithoutTheCache) {
-  const Comparison c = compare();
+  const Comparison c = compare([](bool with) {
+    SceneDescription scene = closed_box(64, 128);
+    scene.settings.use_radiance_cache = with;
+    return scene;
+  });
   EXPECT_LT(std::abs(c.mean), 4.0 * c.error);
   EXPECT_GT(c.noise_with, 0.0);
   // The roulette spends its rays elsewhere, so the noise differs; it must not explode.
   EXPECT_LT(c.noise_with, 2.0 * c.noise_without);
+}
+
+// The roulette must not end a path before the World that it would have met.
+TEST(LightTrainingStatistics, TheRouletteLeavesTheWorldAlone) {
+  for (const bool with_cache : {true, false}) {
+    const Comparison c = compare([&](bool with) {
+      SceneDescription scene = open_blocks(64, 144);
+      scene.settings.use_radiance_cache = with_cache;
+      if (!with) scene.settings.min_light_bounces = 64;
+      return scene;
+    });
+    EXPECT_LT(std::abs(c.mean), 4.0 * c.error) << with_cache;
+    EXPECT_LT(c.noise_with, 1.3 * c.noise_without) << with_cache;
+  }
 }
 
 TEST(LightTraining, SameBitsForAnyNumberOfThreadsAndAnyBorder) {
