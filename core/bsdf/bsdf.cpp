@@ -161,16 +161,17 @@ Spectrum Bsdf::reflected_beyond_horizon(Vec3 wi, LobeSet lobes) const {
   return sum;
 }
 
-std::optional<BsdfSample> Bsdf::sample_lobes(float u_lobe, Vec2 u) const {
+std::optional<BsdfSample> Bsdf::sample_lobes(Vec2 u) const {
   const Weighted* chosen = nullptr;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
     if (!(entry.probability > 0.0f)) continue;
     chosen = &entry;  // the last one also takes what rounding left over
-    if (u_lobe < entry.probability) break;
-    u_lobe -= entry.probability;
+    if (u.x < entry.probability) break;
+    u.x -= entry.probability;
   }
   if (!chosen) return std::nullopt;
+  u.x = std::min(u.x / chosen->probability, k_one_minus_epsilon);
 
   BsdfSample s;
   const std::optional<LobeSample> local = visit_lobe(
@@ -190,6 +191,7 @@ std::optional<BsdfSample> Bsdf::sample_lobes(float u_lobe, Vec2 u) const {
   if (s.is_delta) {
     s.roughness = 0.0f;
     s.subsurface = std::get_if<Subsurface>(&chosen->lobe);
+    s.u_below = u;
   }
   if (s.is_delta || count_ == 1) {
     s.weight = chosen->weight * local->weight * (1.0f / chosen->probability);

@@ -35,6 +35,7 @@ struct BsdfSample {
   float roughness = 0.0f;   // alpha of the lobe; 1 for diffuse ones
   // Set: the path goes on below the surface, and `wi` is the lobe's normal. Lives in the Bsdf.
   const Subsurface* subsurface = nullptr;
+  Vec2 u_below{};  // what the choice of that lobe has left of the numbers
 };
 
 // The weighted lobes of one surface point. Lives on the worker's stack; nothing is allocated.
@@ -78,8 +79,10 @@ class Bsdf {
       return {};
     return reflected_beyond_horizon(wi, lobes);
   }
-  std::optional<BsdfSample> sample(float u_lobe, Vec2 u) const {
-    return is_lambert_ ? sample_lambert(u) : sample_lobes(u_lobe, u);
+  // The first number chooses the lobe too: what is left of it is as even as the pair was, lobe by
+  // lobe, where a third number would spread the directions of each at random.
+  std::optional<BsdfSample> sample(Vec2 u) const {
+    return is_lambert_ ? sample_lambert(u) : sample_lobes(u);
   }
 
   // Sum of the weights that pass straight through (transparent lobes).
@@ -119,7 +122,7 @@ class Bsdf {
   void place(const Spectrum& weight, const Vec3& normal, const Vec3* tangent);
   void drop_faintest();
   BsdfEval eval_lobes(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
-  std::optional<BsdfSample> sample_lobes(float u_lobe, Vec2 u) const;
+  std::optional<BsdfSample> sample_lobes(Vec2 u) const;
   BsdfEval eval_lambert(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
   std::optional<BsdfSample> sample_lambert(Vec2 u) const;
   void drop_mirrors(bool reflective, bool refractive);

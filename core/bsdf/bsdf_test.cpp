@@ -43,8 +43,8 @@ Bsdf mixture(Vec3 wo) {
 TEST(BsdfStatistics, MixtureSamplesFollowTheDensity) {
   for (const float theta : k_angles) {
     const Bsdf bsdf = mixture(direction(theta, 40.0f));
-    const auto draw = [&](float u_lobe, Vec2 u) -> std::optional<Vec3> {
-      const auto s = bsdf.sample(u_lobe, u);
+    const auto draw = [&](float, Vec2 u) -> std::optional<Vec3> {
+      const auto s = bsdf.sample(u);
       return s ? std::optional(s->wi) : std::nullopt;
     };
     const auto pdf = [&](Vec3 wi) { return bsdf.eval(wi).pdf; };
@@ -65,8 +65,8 @@ TEST(BsdfStatistics, RaisedNormalsKeepTheDensity) {
   bsdf.add(ggx(0.4f), Spectrum(0.5f), steep);
   bsdf.add(OrenNayar{0.5f}, Spectrum(0.5f), steep);
   bsdf.finish();
-  const auto draw = [&](float u_lobe, Vec2 u) -> std::optional<Vec3> {
-    const auto s = bsdf.sample(u_lobe, u);
+  const auto draw = [&](float, Vec2 u) -> std::optional<Vec3> {
+    const auto s = bsdf.sample(u);
     return s ? std::optional(s->wi) : std::nullopt;
   };
   const auto pdf = [&](Vec3 wi) { return bsdf.eval(wi).pdf; };
@@ -78,8 +78,7 @@ TEST(Bsdf, SampleAgreesWithEval) {
   for (const float theta : k_angles) {
     const Bsdf bsdf = mixture(direction(theta, 40.0f));
     for (int i = 0; i < 2000; ++i) {
-      const float u_lobe = random.get_1d();
-      const auto s = bsdf.sample(u_lobe, random.get_2d());
+      const auto s = bsdf.sample(random.get_2d());
       if (!s) continue;
       const BsdfEval e = bsdf.eval(s->wi);
       EXPECT_NEAR(s->pdf, e.pdf, 2e-3f * e.pdf);
@@ -117,13 +116,33 @@ TEST(Bsdf, MeanWeightIsTheIntegralOfTheValue) {
   testing::RunningStatistics weight;
   LocalRandom random(7);
   for (int i = 0; i < 100000; ++i) {
-    const float u_lobe = random.get_1d();
-    const auto s = bsdf.sample(u_lobe, random.get_2d());
+    const auto s = bsdf.sample(random.get_2d());
     weight.add(s ? static_cast<double>(s->weight.g) : 0.0);
   }
   const double albedo = testing::integrate_sphere([&](Vec3 w) { return bsdf.eval(w).value.g; });
   EXPECT_GT(testing::z_test(weight, albedo, 1e-3), 1e-3);
   EXPECT_LT(weight.standard_error(), 3e-3 * albedo);
+}
+
+// Even numbers in the square stay even for each lobe: each half of a lobe's numbers goes to a half
+// of its own directions.
+TEST(Bsdf, TheChoiceOfALobeLeavesTheNumbersEven) {
+  const Vec3 wo = direction(30.0f, 0.0f);
+  Bsdf two, one;
+  two.begin(k_up, k_up, wo);
+  two.add(Translucent{}, Spectrum(0.3f), k_up);
+  two.add(Diffuse{}, Spectrum(0.1f), k_up);
+  two.finish();
+  one.begin(k_up, k_up, wo);
+  one.add(Diffuse{}, Spectrum(0.1f), k_up);
+  one.finish();
+  for (const float x : {0.125f, 0.25f, 0.5f, 0.96875f}) {
+    const auto below = two.sample({0.75f * x, 0.4f}), above = two.sample({0.75f + 0.25f * x, 0.4f});
+    const auto alone = one.sample({x, 0.4f});
+    ASSERT_TRUE(below && above && alone);
+    EXPECT_LT(below->wi.z, 0.0f);
+    EXPECT_GT(dot(above->wi, alone->wi), 1.0f - 1e-5f);
+  }
 }
 
 TEST(Bsdf, DeltasAreChosenByTheirShareAndEvalIgnoresThem) {
@@ -141,8 +160,7 @@ TEST(Bsdf, DeltasAreChosenByTheirShareAndEvalIgnoresThem) {
   constexpr int k_samples = 100000;
   LocalRandom random(8);
   for (int i = 0; i < k_samples; ++i) {
-    const float u_lobe = random.get_1d();
-    const auto s = bsdf.sample(u_lobe, random.get_2d());
+    const auto s = bsdf.sample(random.get_2d());
     ASSERT_TRUE(s && s->is_delta);
     EXPECT_EQ(s->roughness, 0.0f);
     EXPECT_TRUE(is_black(bsdf.eval(s->wi).value));
@@ -182,8 +200,7 @@ TEST(Bsdf, NoLightLeaksThroughTheGeometricSurface) {
     if (wi.z > 0.0f) {
       EXPECT_TRUE(is_black(passed.value) && passed.pdf == 0.0f);
     }
-    const float u_lobe = random.get_1d();
-    const auto s = bsdf.sample(u_lobe, random.get_2d());
+    const auto s = bsdf.sample(random.get_2d());
     if (s) {
       EXPECT_EQ(s->wi.z < 0.0f, s->lobe_class == LobeClass::transmission);
     }
@@ -225,7 +242,7 @@ TEST(Bsdf, BadLobesAreDropped) {
   bsdf.add(SpecularReflection{Fresnel::principled({nan, 0, 0}, 1.5f)}, Spectrum(1.0f), k_up);
   bsdf.finish();
   EXPECT_TRUE(bsdf.empty() && bsdf.lobes().empty());
-  EXPECT_FALSE(bsdf.sample(0.5f, {0.5f, 0.5f}));
+  EXPECT_FALSE(bsdf.sample({0.5f, 0.5f}));
   EXPECT_TRUE(is_black(bsdf.eval(k_up).value));
   EXPECT_TRUE(bsdf.average_normal() == k_up);
 }
@@ -248,7 +265,7 @@ TEST(Bsdf, WidenTurnsARoughMirrorSoftButLeavesSharpOnes) {
   EXPECT_TRUE(bsdf.smooth_lobes().empty());
   bsdf.widen(0.2f);
   EXPECT_TRUE(bsdf.smooth_lobes().has(LobeClass::glossy));
-  const auto soft = bsdf.sample(0.1f, {0.3f, 0.6f}), sharp = bsdf.sample(0.9f, {0.3f, 0.6f});
+  const auto soft = bsdf.sample({0.1f, 0.6f}), sharp = bsdf.sample({0.9f, 0.6f});
   ASSERT_TRUE(soft && sharp);
   EXPECT_NEAR(soft->roughness, 0.2f, 1e-6f);
   EXPECT_TRUE(!soft->is_delta && sharp->is_delta);

@@ -42,7 +42,7 @@ TEST(HairFiber, WhiteFurnaceIsFull) {
             LocalRandom random(1);
             testing::RunningStatistics by_samples, by_value;
             for (int i = 0; i < 4000; ++i) {
-              const auto s = bsdf.sample(random.get_1d(), random.get_2d());
+              const auto s = bsdf.sample(random.get_2d());
               by_samples.add(s ? static_cast<double>(s->weight.g) : 0.0);
               const Vec3 wi = warp_uniform_sphere(random.get_2d());
               by_value.add(4.0 * k_pi * static_cast<double>(bsdf.eval(wi).value.g));

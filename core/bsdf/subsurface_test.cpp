@@ -108,12 +108,14 @@ TEST(Subsurface, IsChosenAmongOtherLobesAndHasNoDensity) {
   // A quarter of the samples, so a quarter of the density.
   EXPECT_NEAR(bsdf.eval(n).pdf, 0.25f * k_inv_pi, 1e-5f);
   EXPECT_NEAR(bsdf.eval(n).value.g, 0.2f * k_inv_pi, 1e-5f);
-  const auto below = bsdf.sample(0.5f, {0.3f, 0.3f});
+  const auto below = bsdf.sample({0.6f, 0.3f});
   ASSERT_TRUE(below && below->subsurface);
   EXPECT_NEAR(below->weight.g, 0.8f, 1e-5f);
+  EXPECT_NEAR(below->u_below.x, 0.8f, 1e-5f);
+  EXPECT_EQ(below->u_below.y, 0.3f);
   EXPECT_GT(dot(below->wi, bent), 1.0f - 1e-6f);
   EXPECT_GT(dot(bsdf.subsurface_normal(), bent), 1.0f - 1e-6f);
-  const auto above = bsdf.sample(0.9f, {0.3f, 0.3f});
+  const auto above = bsdf.sample({0.9f, 0.3f});
   ASSERT_TRUE(above);
   EXPECT_EQ(above->subsurface, nullptr);
 }

@@ -408,7 +408,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
     const WorldGroup& group = groups.of(LobeClass::transparent);
     return !is_black(context.transparency) && pass_through(at, context.transparency, group);
   }
-  auto sample = context.bsdf.sample(numbers_.lobe, numbers_.wi);
+  auto sample = context.bsdf.sample(numbers_.wi);
   if (!sample) return false;
   if (sample->subsurface) return scatter_below(at, *sample);
   const WorldGroup& group = groups.of(sample->lobe_class);
@@ -451,7 +451,7 @@ bool PathTracer::scatter_below(const SurfaceInteraction& at, const BsdfSample& s
   const SubsurfaceEntry entry{at,
                               sample.wi,
                               state_.throughput * sample.weight,
-                              numbers_.wi,
+                              sample.u_below,
                               numbers_.roulette,
                               worker_.sampler,
                               state_.vertices};

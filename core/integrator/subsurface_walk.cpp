@@ -130,7 +130,7 @@ void Walk::take_numbers(int flight) {
   }
   u_.light = random_.get_1d();
   u_.on_light.x = random_.get_1d();
-  u_.lobe = random_.get_1d();
+  u_.flight = random_.get_1d();
   u_.wi = random_.get_2d();
   u_.roulette = random_.get_1d();
 }
@@ -204,7 +204,7 @@ std::optional<SubsurfaceExit> Walk::run() {
     const float sigma = channel.pick(medium_.sigma_t, u_.light);
     const bool is_first = flight == 0;
     const Guidance guidance = is_first ? Guidance{} : turn();
-    float t = -std::log1p(-u_.lobe) / (sigma * guidance.used_stretch);
+    float t = -std::log1p(-u_.flight) / (sigma * guidance.used_stretch);
     std::optional<Hit> hit;
     if (is_first) {
       hit = first_flight(t);

@@ -55,7 +55,7 @@ constexpr uint32_t k_salt_x = 0x3c6ef372u, k_salt_y = 0xa54ff53au;
 struct VertexNumbers {
   float light;     // request 0
   Vec2 on_light;   // request 1
-  float lobe;      // request 2
+  float flight;    // request 2
   Vec2 wi;         // request 3
   float roulette;  // request 4
   static constexpr uint32_t k_requests = 5;

@@ -84,7 +84,7 @@ void expect_requests(const VertexNumbers& v, Sampler& sampler, uint32_t dimensio
   sampler.set_dimension(dimension);
   EXPECT_EQ(v.light, sampler.get_1d());
   EXPECT_TRUE(v.on_light == sampler.get_2d());
-  EXPECT_EQ(v.lobe, sampler.get_1d());
+  EXPECT_EQ(v.flight, sampler.get_1d());
   EXPECT_TRUE(v.wi == sampler.get_2d());
   EXPECT_EQ(v.roulette, sampler.get_1d());
 }

@@ -82,7 +82,7 @@ TEST(Closures, RefractionBendsBySnell) {
   RefractionNode node;
   node.weight.value = 1.0f;
   node.ior.value = 1.5f;
-  const auto sample = evaluated(node, context).sample(0.5f, {0.5f, 0.5f});
+  const auto sample = evaluated(node, context).sample({0.5f, 0.5f});
   ASSERT_TRUE(sample);
   EXPECT_NEAR(sample->wi.x, -0.6f / 1.5f, 1e-5f);
   EXPECT_LT(sample->wi.z, 0.0f);
@@ -160,7 +160,7 @@ TEST(Principled, SpecularFacesTheViewerWithEightPercentOfSpecular) {
   PrincipledV1Node node = principled();
   node.base_color.value = Spectrum();
   node.roughness.value = 0.0f;
-  const auto sample = evaluated(node, context).sample(0.5f, {0.5f, 0.5f});
+  const auto sample = evaluated(node, context).sample({0.5f, 0.5f});
   ASSERT_TRUE(sample);
   EXPECT_NEAR(sample->weight.r, 0.04f, 1e-5f);
 }
@@ -173,7 +173,7 @@ TEST(Principled, MetalIsTheBaseColourFacingTheViewer) {
   node.roughness.value = 0.0f;
   const Bsdf& bsdf = evaluated(node, context);
   EXPECT_FALSE(bsdf.lobes().has(LobeClass::diffuse));
-  const auto sample = bsdf.sample(0.5f, {0.5f, 0.5f});
+  const auto sample = bsdf.sample({0.5f, 0.5f});
   ASSERT_TRUE(sample);
   EXPECT_NEAR(sample->weight.r, 0.9f, 1e-4f);
   EXPECT_NEAR(sample->weight.b, 0.2f, 1e-4f);
@@ -223,7 +223,7 @@ TEST(Principled, IsFiniteAtTheCorners) {
       ShadingContext context = context_toward(wo, corner % 2 == 1);
       const Bsdf& bsdf = evaluated(node, context);
       for (const float u : {0.01f, 0.3f, 0.6f, 0.99f}) {
-        const auto s = bsdf.sample(u, {u, 0.37f});
+        const auto s = bsdf.sample({u, 0.37f});
         if (!s) continue;
         ++samples;
         ASSERT_TRUE(is_finite(s->weight) && is_finite(s->wi) && s->pdf > 0.0f) << corner;
