@@ -149,13 +149,11 @@ BsdfEval Bsdf::eval_lobes(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const
   return sum;
 }
 
-Spectrum Bsdf::reflected_beyond_horizon(Vec3 wi, LobeSet lobes) const {
+Spectrum Bsdf::diffused_beyond_horizon(Vec3 wi, LobeSet lobes) const {
   Spectrum sum;
   for (int i = 0; i < count_; ++i) {
     const Weighted& entry = entries_[static_cast<size_t>(i)];
-    const bool reflects =
-        entry.lobe_class == LobeClass::diffuse || entry.lobe_class == LobeClass::glossy;
-    if (reflects && !entry.is_delta && lobes.has(entry.lobe_class))
+    if (entry.lobe_class == LobeClass::diffuse && !entry.is_delta && lobes.has(entry.lobe_class))
       sum += eval_entry(entry, wi).value;
   }
   return sum;

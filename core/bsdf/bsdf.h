@@ -71,13 +71,14 @@ class Bsdf {
     return is_lambert_ ? eval_lambert(wi, value_lobes, pdf_lobes)
                        : eval_lobes(wi, value_lobes, pdf_lobes);
   }
-  // What `eval` leaves out: reflection toward a `wi` above the shading normal's horizon but below
-  // the true one, which no sample takes. For light on the smooth surface that facets stand for.
+  // What `eval` leaves out: diffuse reflection toward a `wi` above the shading normal's horizon but
+  // below the true one, which no sample takes. For light on the smooth surface that facets stand
+  // for. Not of glossy lobes: light samples alone would meet their peaks once in a million.
   Spectrum value_beyond_horizon(Vec3 wi, LobeSet lobes) const {
     // On a hair `eval` leaves out nothing.
     if (is_hair_ || dot(geometric_normal_, wi) > 0.0f || !(dot(shading_normal_, wi) > 0.0f))
       return {};
-    return reflected_beyond_horizon(wi, lobes);
+    return diffused_beyond_horizon(wi, lobes);
   }
   // The first number chooses the lobe too: what is left of it is as even as the pair was, lobe by
   // lobe, where a third number would spread the directions of each at random.
@@ -126,7 +127,7 @@ class Bsdf {
   BsdfEval eval_lambert(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
   std::optional<BsdfSample> sample_lambert(Vec2 u) const;
   void drop_mirrors(bool reflective, bool refractive);
-  Spectrum reflected_beyond_horizon(Vec3 wi, LobeSet lobes) const;
+  Spectrum diffused_beyond_horizon(Vec3 wi, LobeSet lobes) const;
   // One entry's part of `eval`: its value times weight, its pdf without the probability.
   LobeEval eval_entry(const Weighted& entry, Vec3 wi) const;
   bool reaches(const Weighted& entry, Vec3 wi) const;
