@@ -55,7 +55,8 @@ SceneDescription room(int samples) {
   SceneBuilder b;
   add_walls(b);
   for (int i = 0; i < 9; ++i) {
-    const auto row = static_cast<float>(i / 3), column = static_cast<float>(i % 3);
+    const int row_index = i / 3;
+    const auto row = static_cast<float>(row_index), column = static_cast<float>(i % 3);
     const float hue = 0.1f * static_cast<float>(i);
     b.object(dented_sphere(), paint(0.7f - 0.5f * hue, 0.4f, 0.3f + 0.4f * hue),
              at(1.45f * (column - 1.0f), 1.3f * row - 0.6f, 0.5f + 0.36f * row, 0.42f));
