@@ -55,9 +55,8 @@ TEST(TransparentShadows, EndAtTheLimitOfLayers) {
 TEST(TransparentShadows, LayersAreCountedFromTheFloor) {
   GraphBuilder g("by depth");
   const uint32_t path = g.add("ShaderNodeLightPath");
-  const uint32_t share =
-      g.add("ShaderNodeMath", {{"Value_001", {0.2f}}, {"Value_002", {0.3f}}},
-            {{"operation", std::string("MULTIPLY_ADD")}});
+  const uint32_t share = g.add("ShaderNodeMath", {{"Value_001", {0.2f}}, {"Value_002", {0.3f}}},
+                               {{"operation", std::string("MULTIPLY_ADD")}});
   const uint32_t closure = g.add("ShaderNodeBsdfTransparent");
   g.link(path, "Transparent Depth", share, "Value").link(share, "Value", closure, "Color");
   const NodeGraph by_depth = g.surface(closure).build();
