@@ -138,13 +138,6 @@ NoisePoint<n> seed_offset(float seed) {
   return offset;
 }
 
-template <size_t n>
-NoisePoint<n> plus(NoisePoint<n> a, const NoisePoint<n>& b) {
-  for (size_t axis = 0; axis < n; ++axis)
-    a[axis] += b[axis];
-  return a;
-}
-
 }  // namespace
 
 namespace {

@@ -19,6 +19,13 @@ constexpr int32_t clamp_to_int(float whole) {
 template <size_t n>
 using NoisePoint = std::array<float, n>;
 
+template <size_t n>
+NoisePoint<n> plus(NoisePoint<n> a, const NoisePoint<n>& b) {
+  for (size_t axis = 0; axis < n; ++axis)
+    a[axis] += b[axis];
+  return a;
+}
+
 // About [-1, 1]; 0 at every lattice point.
 template <size_t n>
 float signed_noise(const NoisePoint<n>& p);

@@ -96,12 +96,7 @@ struct Place {
       local[i] = p[i] - cell[i];
     }
   }
-  Spectrum color(const NoisePoint<n>& offset) const {
-    NoisePoint<n> at = cell;
-    for (size_t i = 0; i < n; ++i)
-      at[i] += offset[i];
-    return random_color_of(at);
-  }
+  Spectrum color(const NoisePoint<n>& offset) const { return random_color_of(plus(cell, offset)); }
 };
 
 // The random points of a window about the cell at `centre` of a place, relative to its own cell.
@@ -170,13 +165,6 @@ size_t index_of_smallest(const Distances& distances) {
 }
 
 template <size_t n>
-NoisePoint<n> sum(NoisePoint<n> a, const NoisePoint<n>& b) {
-  for (size_t i = 0; i < n; ++i)
-    a[i] += b[i];
-  return a;
-}
-
-template <size_t n>
 VoronoiResult<n> smooth_f1(const Place<n>& place, const VoronoiParameters& v, float k) {
   const Points<n, 2> points(place, v);
   const auto to_points =
@@ -197,7 +185,7 @@ VoronoiResult<n> smooth_f1(const Place<n>& place, const VoronoiParameters& v, fl
     for (size_t axis = 0; axis < n; ++axis)
       result.position[axis] = lerp(result.position[axis], point[axis], h) - correction;
   }
-  result.position = sum(result.position, place.cell);
+  result.position = plus(result.position, place.cell);
   return result;
 }
 
@@ -219,7 +207,7 @@ VoronoiResult<n> nearest(const Place<n>& place, const VoronoiParameters& v, bool
   const bool is_far = result.distance == k_far;
   if (v.with_color)
     result.color = place.color(is_far ? NoisePoint<n>{} : Window<n, 1>::offset(chosen));
-  result.position = is_far ? place.cell : sum(points[chosen], place.cell);
+  result.position = is_far ? place.cell : plus(points[chosen], place.cell);
   return result;
 }
 
