@@ -88,67 +88,99 @@ Distribution2D::Distribution2D(std::vector<float> values, int width, int height)
   for (float& value : values)
     value = static_cast<float>(usable_weight(value) / average_);
   density_ = std::move(values);
-  build_pyramid();
-}
-
-void Distribution2D::build_pyramid() {
-  int width = (width_ + 1) / 2, height = (height_ + 1) / 2;  // in blocks of 2x2
-  const auto sum = [](const float* block) { return (block[0] + block[1]) + (block[2] + block[3]); };
-  while (width > 1 || height > 1) {
-    const Level* fine = levels_.empty() ? nullptr : &levels_.back();
-    Level coarse{width + (width & 1), height + (height & 1), {}};
-    coarse.sums.resize(static_cast<size_t>(coarse.width) * static_cast<size_t>(coarse.height));
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        coarse.sums[coarse.at(x, y)] = fine ? sum(&fine->sums[fine->at(2 * x, 2 * y)])
-                                            : sum(block_masses(2 * x, 2 * y).data());
-    width = coarse.width / 2;
-    height = coarse.height / 2;
-    levels_.push_back(std::move(coarse));
-  }
-}
-
-Distribution2D::Corners Distribution2D::corners(int x, int y) const {
-  const size_t stride = static_cast<size_t>(width_) + 1;
-  const float* lower = &density_[static_cast<size_t>(y) * stride + static_cast<size_t>(x)];
-  return {lower[0], lower[1], lower[stride], lower[stride + 1]};
-}
-
-Distribution2D::Corners Distribution2D::block_masses(int x, int y) const {
-  const auto mass = [this](int column, int row) {
-    if (column >= width_ || row >= height_) return 0.0f;
-    const Corners c = corners(column, row);
-    return 0.25f * ((c[0] + c[1]) + (c[2] + c[3]));
-  };
-  return {mass(x, y), mass(x + 1, y), mass(x, y + 1), mass(x + 1, y + 1)};
+  density_.resize(density_.size() + k_block);
+  accumulate_rows();
 }
 
 namespace {
 
-// Chooses the upper of two halves when `u` says so, and stretches `u` over the half it fell in.
-bool warp_half(float& u, float lower, float upper) {
-  const float split = lower / (lower + upper);
-  const bool takes_upper = u >= split;
-  u = takes_upper ? (u - split) / (1.0f - split) : u / split;
-  u = std::min(u, k_one_minus_epsilon);
-  return takes_upper;
+// Makes shares of the whole of running sums. The last that adds anything becomes 1 exactly, so that
+// no number lies beyond it.
+void divide_by_last(std::span<const double> sums, float* shares) {
+  const double total = sums.back();
+  for (const double sum : sums)
+    *shares++ = total > 0.0 ? static_cast<float>(sum / total) : 0.0f;
 }
 
-// The part of a block of 2x2 that `u` falls in: (x, y) becomes its place on the next finer level.
-void descend(const float* block, Vec2& u, int& x, int& y) {
-  const int right = warp_half(u.x, block[0] + block[2], block[1] + block[3]);
-  const int above = warp_half(u.y, block[right], block[2 + right]);
-  x = 2 * x + right;
-  y = 2 * y + above;
+// The first of the running shares that lies beyond `u`, which becomes its place within that share.
+size_t choose(std::span<const float> shares, float& u) {
+  const float* first = shares.data();
+  for (size_t left = shares.size(); left > 1;) {
+    const size_t half = left / 2;
+    first += first[half - 1] <= u ? half : 0;
+    left -= half;
+  }
+  const float below = first == shares.data() ? 0.0f : first[-1];
+  u = std::min((u - below) / (*first - below), k_one_minus_epsilon);
+  return static_cast<size_t>(first - shares.data());
 }
 
 }  // namespace
 
+void Distribution2D::accumulate_rows() {
+  const size_t blocks = blocks_per_row();
+  const auto rows = static_cast<size_t>(height_);
+  rows_.resize(rows);
+  blocks_.resize(rows * blocks);
+  std::vector<double> of_rows(rows), of_blocks(blocks);
+  double total = 0.0;
+  for (size_t y = 0; y < rows; ++y) {
+    double in_row = 0.0;
+    for (size_t block = 0; block < blocks; ++block) {
+      for (const float mass : masses(static_cast<int>(block), static_cast<int>(y)))
+        in_row += double{mass};
+      of_blocks[block] = in_row;
+    }
+    divide_by_last(of_blocks, &blocks_[y * blocks]);
+    of_rows[y] = total += in_row;
+  }
+  divide_by_last(of_rows, rows_.data());
+}
+
+const float* Distribution2D::corner(int x, int y) const {
+  const size_t stride = static_cast<size_t>(width_) + 1;
+  return &density_[static_cast<size_t>(y) * stride + static_cast<size_t>(x)];
+}
+
+Distribution2D::Corners Distribution2D::corners(int x, int y) const {
+  const float *lower = corner(x, y), *upper = corner(x, y + 1);
+  return {lower[0], lower[1], upper[0], upper[1]};
+}
+
+Distribution2D::Masses Distribution2D::masses(int block, int y) const {
+  const float *lower = corner(block * k_block, y), *upper = corner(block * k_block, y + 1);
+  const int count = width_ - block * k_block;
+  Masses result;
+  for (int i = 0; i < k_block; ++i) {
+    const float mass = (lower[i] + upper[i]) + (lower[i + 1] + upper[i + 1]);
+    result[static_cast<size_t>(i)] = i < count ? mass : 0.0f;
+  }
+  return result;
+}
+
+// The cell of a block that `u` falls in; `u` becomes its place within that cell.
+int Distribution2D::choose_in_block(int block, int y, float& u) const {
+  const Masses mass = masses(block, y);
+  Masses sums;
+  float sum = 0.0f;
+  for (size_t i = 0; i < k_block; ++i)
+    sums[i] = sum += mass[i];
+  const float at = u * sum;
+  size_t chosen = 0;
+  for (size_t i = 0; i + 1 < k_block; ++i)
+    chosen += sums[i] <= at ? 1 : 0;
+  // Rounding may have led past the last cell that holds anything.
+  while (chosen > 0 && !(mass[chosen] > 0.0f))
+    --chosen;
+  const float below = chosen == 0 ? 0.0f : sums[chosen - 1];
+  u = std::clamp((at - below) / mass[chosen], 0.0f, k_one_minus_epsilon);
+  return block * k_block + static_cast<int>(chosen);
+}
+
 Distribution2D::Sample Distribution2D::sample(Vec2 u) const {
-  int x = 0, y = 0;
-  for (size_t i = levels_.size(); i-- > 0;)
-    descend(&levels_[i].sums[levels_[i].at(2 * x, 2 * y)], u, x, y);
-  descend(block_masses(2 * x, 2 * y).data(), u, x, y);
+  const size_t row = choose(rows_, u.y), blocks = blocks_per_row();
+  const size_t block = choose(std::span(blocks_).subspan(row * blocks, blocks), u.x);
+  const int y = static_cast<int>(row), x = choose_in_block(static_cast<int>(block), y, u.x);
   const Corners c = corners(x, y);
   const BilinearSquare cell(c);
   const Vec2 at = cell.sample(u);

@@ -39,9 +39,9 @@ class AliasTable {
   double total_ = 0.0;
 };
 
-// Density over [0,1)^2, bilinear between the corners of width x height cells, sampled by
-// hierarchical warping down a pyramid of 2x2 sums (Clarberg et al. 2005): keeps the stratification
-// of `u`.
+// Density over [0,1)^2, bilinear between the corners of width x height cells, sampled by inversion:
+// `u.y` chooses a row, `u.x` a cell in it, and what is left of both the place in the cell. Keeps the
+// stratification of `u`.
 class Distribution2D {
  public:
   Distribution2D() = default;
@@ -59,22 +59,23 @@ class Distribution2D {
   double average() const { return average_; }
 
  private:
+  // Cells of a row that share an entry of `blocks_`. Which of them is meant is found among their
+  // densities, two cache lines that the sample needs in any case.
+  static constexpr int k_block = 8;
   using Corners = std::array<float, 4>;  // lower left, lower right, upper left, upper right
-  struct Level {
-    int width = 0, height = 0;  // padded to even, the padding is 0
-    std::vector<float> sums;    // blocks of 2x2 in a row: one descent reads one cache line
-    size_t at(int x, int y) const {
-      const int block = (y >> 1) * (width >> 1) + (x >> 1);
-      return static_cast<size_t>(block) * 4 + static_cast<size_t>((y & 1) * 2 + (x & 1));
-    }
-  };
-  Corners corners(int x, int y) const;
-  // What the four cells around the corner (x + 1, y + 1) hold; beyond the grid nothing.
-  Corners block_masses(int x, int y) const;
-  void build_pyramid();
+  using Masses = std::array<float, k_block>;
 
-  std::vector<float> density_;  // at the corners
-  std::vector<Level> levels_;   // from sums of 2x2 cells to at most 2x2 sums
+  const float* corner(int x, int y) const;
+  Corners corners(int x, int y) const;
+  // Four times what the cells of a block hold; beyond the grid nothing.
+  Masses masses(int block, int y) const;
+  int choose_in_block(int block, int y, float& u) const;
+  size_t blocks_per_row() const { return (static_cast<size_t>(width_) + k_block - 1) / k_block; }
+  void accumulate_rows();
+
+  std::vector<float> density_;  // at the corners, and room behind the last for a whole block
+  std::vector<float> rows_;     // (height) share of a row and those below it
+  std::vector<float> blocks_;   // (height, blocks_per_row) share in its row of a block and those left
   int width_ = 0, height_ = 0;
   double average_ = 0.0;
 };
