@@ -124,6 +124,9 @@ struct NodeType {
   const char* (*note)(const void* node) = nullptr;
   // Makes what the node keeps besides its settings, once they are set; null: nothing.
   void (*prepare)(void* node) = nullptr;
+  // Makes of inputs without a link what eval would make at each run, once they are final; null:
+  // nothing. A node that is folded is run without it.
+  void (*settle)(void* node) = nullptr;
   // Whether this closure, as it is set, may take light below the surface; null: never.
   bool (*has_subsurface)(const void* node) = nullptr;
   // Whether this closure, as it is set, reads more than its inputs; null: never.
@@ -147,8 +150,8 @@ struct NodeType {
 // and `uint8_t closure_parts() const`. Nodes that only direct closures (Mix Shader, outputs) have
 // no eval: the compiler takes them apart. A closure node's eval adds only the parts that
 // ShadingContext::query asks for, each scaled by `weight`. `const char* note() const`,
-// `bool has_subsurface() const`, `bool varies() const`, `void prepare()` and
-// `std::optional<SunDisk> sun_disk() const` are optional.
+// `bool has_subsurface() const`, `bool varies() const`, `void prepare()`,
+// `void settle()` and `std::optional<SunDisk> sun_disk() const` are optional.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -290,6 +293,8 @@ class NodeRegistry {
       type.varies = [](const void* node) { return static_cast<const Node*>(node)->varies(); };
     if constexpr (requires(Node & node) { node.prepare(); })
       type.prepare = [](void* node) { static_cast<Node*>(node)->prepare(); };
+    if constexpr (requires(Node & node) { node.settle(); })
+      type.settle = [](void* node) { static_cast<Node*>(node)->settle(); };
     if constexpr (requires(const Node& node) { node.sun_disk(); })
       type.sun_disk = [](const void* node) { return static_cast<const Node*>(node)->sun_disk(); };
     by_name_.emplace(idname, &type);

@@ -146,6 +146,7 @@ class ProgramBuilder {
     for (size_t o = 0; o < type.outputs.size(); ++o)
       if (type.outputs[o].type != SocketType::closure)
         set_target(copy, type.outputs[o], registers_.at({n, static_cast<int>(o)}));
+    if (type.settle) type.settle(copy);
     program_.code_.push_back({type.eval, copy, k_no_register, 0});
     program_.notes_.push_back({&type, node.settings});
   }

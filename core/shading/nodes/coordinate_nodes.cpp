@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 
 #include "shading/node_type.h"
 #include "shading/nodes/attribute_names.h"
 #include "shading/nodes/attributes.h"
 #include "shading/nodes/coordinates.h"
 #include "shading/nodes/register.h"
+#include "shading/nodes/vector.h"
 #include "shading/surface_tangent.h"
 
 namespace tenniel {
@@ -92,10 +94,15 @@ struct MappingNode {
   Input<Vec3> vector, location, rotation, scale{{1.0f, 1.0f, 1.0f}};
   Output<Vec3> result;
   MappingType vector_type = MappingType::point;
+  std::optional<Transform> turn;  // of a rotation without a link: its sines cost more than the rest
 
+  void settle() {
+    if (!rotation.linked()) turn = euler_rotation(rotation.value);
+  }
   void eval(ShadingContext& context) const {
     context.set(result, map_vector(vector_type, context.get(vector), context.get(location),
-                                   context.get(rotation), context.get(scale)));
+                                   turn ? *turn : euler_rotation(context.get(rotation)),
+                                   context.get(scale)));
   }
 };
 

@@ -8,21 +8,19 @@
 
 namespace tenniel {
 
-Vec3 map_vector(MappingType type, Vec3 v, Vec3 location, Vec3 rotation, Vec3 scale) {
-  // Most mappings do not turn, and sines cost more than all the rest.
-  const Transform matrix = rotation == Vec3{} ? Transform{} : euler_rotation(rotation);
+Vec3 map_vector(MappingType type, Vec3 v, Vec3 location, const Transform& turn, Vec3 scale) {
   const auto divided = [&](Vec3 a) {
     return by_component([](float x, float y) { return safe_divide(x, y); }, a, scale);
   };
   switch (type) {
     case MappingType::point:
-      return matrix.vector(v * scale) + location;
+      return turn.vector(v * scale) + location;
     case MappingType::texture:
-      return divided(transposed(matrix).vector(v - location));
+      return divided(transposed(turn).vector(v - location));
     case MappingType::vector:
-      return matrix.vector(v * scale);
+      return turn.vector(v * scale);
     case MappingType::normal:
-      return normalize_or(matrix.vector(divided(v)), {});
+      return normalize_or(turn.vector(divided(v)), {});
   }
   return v;
 }

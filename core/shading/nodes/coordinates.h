@@ -12,8 +12,8 @@ namespace tenniel {
 
 enum class MappingType : uint8_t { point, texture, vector, normal };
 
-// The Mapping node; angles in radians.
-Vec3 map_vector(MappingType type, Vec3 v, Vec3 location, Vec3 rotation, Vec3 scale);
+// The Mapping node; `turn`: by the angles of its Rotation.
+Vec3 map_vector(MappingType type, Vec3 v, Vec3 location, const Transform& turn, Vec3 scale);
 
 // The mapping that every texture node carries, as the exporter bakes it: nothing (identity), or 12
 // floats (three rows of an affine map), or 18 with the lower and upper bounds of the result.

@@ -8,6 +8,7 @@
 #include "bsdf/fresnel.h"
 #include "math/numeric.h"
 #include "shading/nodes/layer_weight.h"
+#include "shading/nodes/vector.h"
 
 namespace tenniel {
 namespace {
@@ -19,11 +20,11 @@ void expect_near(Vec3 a, Vec3 b, float tolerance = 2e-6f) {
 }
 
 TEST(MapVector, PointAndTextureAreInverse) {
-  const Vec3 v{0.3f, -1.2f, 2.0f}, location{1.0f, 2.0f, 3.0f}, rotation{0.4f, -0.9f, 2.0f};
-  const Vec3 scale{2.0f, 0.5f, -1.5f};
-  const Vec3 mapped = map_vector(MappingType::point, v, location, rotation, scale);
-  expect_near(map_vector(MappingType::texture, mapped, location, rotation, scale), v, 5e-6f);
-  expect_near(map_vector(MappingType::vector, v, location, rotation, scale) + location, mapped);
+  const Vec3 v{0.3f, -1.2f, 2.0f}, location{1.0f, 2.0f, 3.0f}, scale{2.0f, 0.5f, -1.5f};
+  const Transform turn = euler_rotation({0.4f, -0.9f, 2.0f});
+  const Vec3 mapped = map_vector(MappingType::point, v, location, turn, scale);
+  expect_near(map_vector(MappingType::texture, mapped, location, turn, scale), v, 5e-6f);
+  expect_near(map_vector(MappingType::vector, v, location, turn, scale) + location, mapped);
 }
 
 TEST(MapVector, NormalIsUnitAndZeroScaleIsHarmless) {
