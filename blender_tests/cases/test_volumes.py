@@ -65,8 +65,7 @@ class NodeTest(VolumeCase):
         make = volume("ShaderNodeVolumePrincipled", Color=(0.2, 0.2, 0.2), Density=0.5,
                       Emission_Strength=0.4, Emission_Color=(1.0, 0.5, 0.2),
                       Blackbody_Intensity=0.8, Temperature=1800.0, Blackbody_Tint=(0.9, 1.0, 0.8))
-        # Cycles takes the colour of a black body from a fit that is off by up to 1.5 %.
-        self.in_box("principled glow", make, relative=0.015)
+        self.in_box("principled glow", make)
 
     def test_emission(self):
         self.in_box("emission", volume("ShaderNodeEmission", Color=(0.3, 0.6, 0.9), Strength=0.5))
@@ -131,7 +130,7 @@ class PlaceTest(VolumeCase):
         scene_factory.set_world(self.scene, (0.4, 0.5, 0.6))
         scene_factory.sphere(self.scene, 1.0, scene_factory.volume_material("m", build, glass),
                              48, 24)
-        self.agrees("in glass", samples=512, volume_bounces=4, relative=0.008)
+        self.agrees("in glass", samples=512, volume_bounces=4)
 
     def test_camera_inside(self):
         self.room("AREA")
@@ -242,17 +241,17 @@ class VaryingTest(VolumeCase):
     def test_density(self):
         make = self.textured("ShaderNodeVolumeAbsorption", "Density", "ShaderNodeTexNoise", 2.0,
                              Color=(0.2, 0.5, 0.9))
-        self.in_box("absorbing noise", make, relative=0.01)
+        self.in_box("absorbing noise", make)
         make = self.textured("ShaderNodeVolumeScatter", "Density", "ShaderNodeTexGradient")
-        self.in_box("scattering gradient", make, volume_bounces=2, relative=0.01)
+        self.in_box("scattering gradient", make, volume_bounces=2)
         make = self.textured("ShaderNodeVolumePrincipled", "Density", "ShaderNodeTexNoise", 3.0,
                              Anisotropy=0.5)
-        self.in_box("principled noise", make, "POINT", samples=512, relative=0.01)
+        self.in_box("principled noise", make, "POINT", samples=512)
 
     def test_emission(self):
         make = self.textured("ShaderNodeVolumePrincipled", "Emission Strength",
                              "ShaderNodeTexChecker", Density=0.5)
-        self.in_box("checkered glow", make, relative=0.01)
+        self.in_box("checkered glow", make)
 
 
 class GridTest(VolumeCase):
@@ -285,7 +284,7 @@ class GridTest(VolumeCase):
             self.setUp()
             self.room()
             self.smoke(build)
-            self.agrees(name, relative=0.01, **arguments)
+            self.agrees(name, **arguments)
 
     def test_principled_smoke(self):
         self.simulated("density", lambda nodes: nodes.add("ShaderNodeVolumePrincipled", None, {
@@ -328,7 +327,7 @@ class GridTest(VolumeCase):
                 self.room()
                 scene_factory.box(self.scene, 2.0, self.points(space, interpolation),
                                   rotation=(0, 0, 25))
-                self.agrees(f"points {space} {interpolation}", relative=0.01)
+                self.agrees(f"points {space} {interpolation}")
 
 
 class AbsorptionOracleTest(RenderTestCase):

@@ -96,7 +96,7 @@ constexpr std::array<Vec3, 81> k_color_matching = {{
 
 }  // namespace
 
-Spectrum blackbody_color(float kelvin) {
+Spectrum raw_blackbody_color(float kelvin) {
   if (!(kelvin >= k_coldest)) return k_coldest_color;
   for (const BlackbodyFit& fit : k_blackbody_fits) {
     if (kelvin >= fit.hottest) continue;
@@ -104,10 +104,14 @@ Spectrum blackbody_color(float kelvin) {
       return c[0] / kelvin + c[1] * kelvin + c[2];
     };
     const auto& b = fit.blue;
-    return positive({hyperbola(fit.red), hyperbola(fit.green),
-                     ((b[0] * kelvin + b[1]) * kelvin + b[2]) * kelvin + b[3]});
+    return {hyperbola(fit.red), hyperbola(fit.green),
+            ((b[0] * kelvin + b[1]) * kelvin + b[2]) * kelvin + b[3]};
   }
   return k_hottest_color;
+}
+
+Spectrum blackbody_color(float kelvin) {
+  return positive(raw_blackbody_color(kelvin));
 }
 
 Spectrum wavelength_color(float nm) {

@@ -115,8 +115,10 @@ Spectrum PrincipledVolumeNode::glow(const ShadingContext& context) const {
   if (const auto v = voxel(context, temperature_attribute)) kelvin *= std::max((*v)[0], 0.0f);
   const float intensity = k_sigma * lerp(1.0f, sqr(sqr(kelvin)), blackbody);
   if (intensity > k_cutoff)
-    sum += blackbody_color(kelvin) * context.get(blackbody_tint) * intensity;
-  return sum;
+    sum += raw_blackbody_color(kelvin) * context.get(blackbody_tint) * intensity;
+  // As in Cycles, what a dull red lacks of blue is taken from the emission beside it, but here no
+  // light is less than none.
+  return {std::max(sum.r, 0.0f), std::max(sum.g, 0.0f), std::max(sum.b, 0.0f)};
 }
 
 uint8_t PrincipledVolumeNode::closure_parts() const {
