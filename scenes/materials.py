@@ -129,9 +129,8 @@ def car_paint():
                   (1.0, (0.05, 0.0, 0.06)))
     metal = nodes.add("BsdfGlossy", {"Color": color, "Roughness": 0.35, "Normal": nodes.add(
         "VectorMath", {0: flakes}, operation='NORMALIZE')})
-    # Sharp: a rougher coat Cycles draws by another density than it divides by.
     coat = nodes.add("BsdfPrincipled", {"Base Color": color, "Roughness": 0.5, "Clearcoat": 1.0,
-                                        "Clearcoat Roughness": 0.0})
+                                        "Clearcoat Roughness": 0.1})
     nodes.surface(nodes.add("MixShader", {0: 0.45, 1: coat, 2: metal}))
     return material
 

@@ -23,7 +23,7 @@ class MixedMaterialTest(RenderTestCase):
         scene_factory.set_world(self.scene, (0.3, 0.4, 0.6))
         scene_factory.camera(self.scene, (0, -4.5, 1.2), (0, 0, 0), lens=70.0)
         self.assert_agrees(material.name, samples=96, resolution=(64, 48), block=16, seeds=3,
-                           relative=0.01, absolute=1e-3, max_noise=0.01, max_bounces=4)
+                           relative=0.005, absolute=2e-4, max_noise=0.01, max_bounces=4)
 
 
 def _test_of(make):

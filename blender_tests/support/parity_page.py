@@ -33,7 +33,7 @@ _NOTES = {
                             "below",
     "ShaderNodeBsdfAnisotropic": "Multiscatter GGX: see below",
     "ShaderNodeBsdfGlass": "Multiscatter GGX: see below",
-    "ShaderNodeBsdfPrincipled": "Multiscatter GGX and bare clearcoat: see below",
+    "ShaderNodeBsdfPrincipled": "Multiscatter GGX: see below",
     "ShaderNodeBsdfRefraction": "compared where a facet can refract the light: see below",
     "ShaderNodeNormalMap": "on a Glossy BSDF: see below",
     "ShaderNodeBsdfToon": "compared under lamps: see below",
@@ -44,9 +44,10 @@ _EXPLANATIONS = """\
 ## Where Cycles 3.4 contradicts itself
 
 A closure can be evaluated (for light that is sampled) and sampled (for light that is met). In these
-places Cycles' two answers differ from each other. Tenniel's agree with each other, in closed form or
-by its own tests, so that its pictures do not depend on which lights are sampled; they can equal one
-of Cycles' answers only.
+places Cycles' two answers differ from each other. Three of them are how artists know a material, and
+Tenniel has both answers (clearcoat, bent normals, bumped velvet). Else Tenniel's agree with each
+other, in closed form or by its own tests, so that its pictures do not depend on which lights are
+sampled; they can equal one of Cycles' answers only.
 
 * **Multiscatter GGX under lamps.** Cycles' evaluation lets light on its way up meet the surface at
   its very top and squares the tint of later bounces; its samples do neither, and neither does
@@ -56,13 +57,14 @@ of Cycles' answers only.
   light too.
 * **Beckmann.** Cycles samples slopes from a table, which brightens what it finds by sampling alone
   by up to 0.7 %. The values agree.
-* **Clearcoat.** Cycles samples GGX and weighs with GTR1: what it finds by sampling is brighter of a
-  bare coat and darker of the base below (brown wood under a coat of 0.3 and a bright sky: 1 %, where
-  the ground is reflected 3 %). Under lamps both agree.
+* **Clearcoat.** Cycles draws GGX facets and divides by the density of GTR1's: lamps glow wide in the
+  coat, what paths meet by chance is mirrored sharply. Tenniel does the same, for the look's sake.
 * **Ashikhmin-Shirley** at a slant on rough surfaces: Cycles turns half vectors below the horizon the
   wrong way and finds too much by sampling. Under lamps both agree.
 * **Glossy under a bent normal**: samples of Cycles' lobe may leave below the horizon of that normal,
-  where its closure is black: in a uniform world up to 2 % brighter. Under lamps both agree.
+  where its closure is black, and so may Tenniel's.
+* **Velvet under a bump**: the bump shades Cycles' samples as diffuse, its values not, as they count as
+  glossy; and Tenniel's likewise.
 * **Toon and Hair**: samples of Cycles' closures miss their own density (rim and tangent), so they are
   compared under sharp suns.
 * **Refraction** of lamps beyond the critical angle, or with an IOR below 1 near the horizon: Cycles

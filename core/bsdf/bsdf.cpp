@@ -69,8 +69,9 @@ void Bsdf::drop_mirrors(bool reflective, bool refractive) {
       std::remove_if(entries_.begin(), entries_.begin() + count_, is_dropped) - entries_.begin());
 }
 
-void Bsdf::finish() {
+void Bsdf::finish(float coat_least) {
   has_stochastic_ = false;
+  bool has_coat = false;
   is_lambert_ = count_ == 1 && std::holds_alternative<Diffuse>(entries_[0].lobe) && !is_hair_ &&
                 !entries_[0].is_bumped;
   if (is_lambert_) {
@@ -95,10 +96,21 @@ void Bsdf::finish() {
     lobes_ = lobes_.with(entry.lobe_class);
     if (!entry.is_delta) smooth_lobes_ = smooth_lobes_.with(entry.lobe_class);
     has_stochastic_ |= !entry.is_delta && is_stochastic(entry.lobe);
+    has_coat |= !entry.is_delta && std::holds_alternative<Clearcoat>(entry.lobe);
   }
   if (count_ == 1 && total > 0.0f) {
     entries_[0].probability = 1.0f;
     return;
+  }
+  choose_in_proportion(has_coat ? coat_least * total : 0.0f);
+}
+
+void Bsdf::choose_in_proportion(float least) {
+  float total = 0.0f;
+  for (int i = 0; i < count_; ++i) {
+    float& probability = entries_[static_cast<size_t>(i)].probability;
+    if (probability > 0.0f) probability = std::max(probability, least);
+    total += probability;
   }
   const float scale = total > 0.0f ? 1.0f / total : 0.0f;
   for (int i = 0; i < count_; ++i)
@@ -128,7 +140,8 @@ inline LobeEval Bsdf::eval_entry(const Weighted& entry, Vec3 wi) const {
   const Vec3 wi_local = entry.frame.to_local(wi);
   LobeEval e = visit_lobe([&](const auto& l) { return l.eval(entry.wo, wi_local); }, entry.lobe);
   e.value *= entry.weight;
-  if (entry.is_bumped) e.value *= bump_shadowing(shading_normal_, entry.frame.z, wi);
+  if (entry.is_bumped && entry.is_bump_in_value)
+    e.value *= bump_shadowing(shading_normal_, entry.frame.z, wi);
   return e;
 }
 

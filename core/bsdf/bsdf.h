@@ -62,7 +62,9 @@ class Bsdf {
     if (reflective || refractive) drop_mirrors(reflective, refractive);
   }
   // After the last `add`: fixes the probability of each lobe (proportional to weight * albedo(wo)).
-  void finish();
+  // Beside a coat, whose samples do not follow its density, that shows: then no lobe counts as less
+  // than `coat_least` of the sum of all.
+  void finish(float coat_least = 0.0f);
 
   // Value over `value_lobes`, pdf over `pdf_lobes`: a light hidden from some lobes drops their
   // value but not their pdf, and a looking glass asks for one group in both.
@@ -115,6 +117,7 @@ class Bsdf {
     bool is_fiber = false;            // so do its values
     bool scatters_diffusely = false;  // diffuse or translucent
     bool is_bumped = false;           // so, and around another normal than the shading one
+    bool is_bump_in_value = true;     // which shades `eval` too
   };
   // `lobe`: one of the alternatives, or a Lobe that holds any.
   template <class L>
@@ -122,6 +125,7 @@ class Bsdf {
   // Keeps the entry behind the last, whose lobe is set and valid.
   void place(const Spectrum& weight, const Vec3& normal, const Vec3* tangent);
   void drop_faintest();
+  void choose_in_proportion(float least);
   BsdfEval eval_lobes(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
   std::optional<BsdfSample> sample_lobes(Vec2 u) const;
   BsdfEval eval_lambert(Vec3 wi, LobeSet value_lobes, LobeSet pdf_lobes) const;
@@ -183,6 +187,9 @@ void Bsdf::append(const L& lobe, const Spectrum& weight, const Vec3& normal, con
     entry.is_round = entry.is_fiber || (is_hair_ && std::is_same_v<L, HairLobe>);
     entry.scatters_diffusely =
         entry.lobe_class == LobeClass::diffuse || std::is_same_v<L, Translucent>;
+    // In Cycles a bump shades samples of Velvet as diffuse, but not its values: by number it is one
+    // of the glossy closures.
+    entry.is_bump_in_value = !std::is_same_v<L, Velvet>;
     place(weight, normal, tangent);
   }
 }

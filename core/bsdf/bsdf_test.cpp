@@ -26,14 +26,14 @@ MicrofacetRefraction rough_glass(float alpha, float eta) {
   return {{MicrofacetDistribution::beckmann, alpha, alpha}, eta};
 }
 
-// One of everything with a density, each around its own normal.
+// Lobes of every class whose samples have an exact density, each around its own normal.
 Bsdf mixture(Vec3 wo) {
   Bsdf bsdf;
   bsdf.begin(k_up, k_up, wo);
   bsdf.add(Diffuse{}, {0.3f, 0.2f, 0.1f}, k_up);
   bsdf.add(OrenNayar{0.8f}, Spectrum(0.1f), normalize({0.3f, 0.1f, 1.0f}));
-  bsdf.add(ggx(0.3f), {0.1f, 0.2f, 0.3f}, normalize({-0.2f, 0.2f, 1.0f}), {1.0f, 0.0f, 0.0f});
-  bsdf.add(Clearcoat{0.2f}, Spectrum(0.25f), k_up);
+  bsdf.add(ggx(0.3f), {0.1f, 0.2f, 0.3f}, k_up, {1.0f, 0.0f, 0.0f});
+  bsdf.add(AshikhminShirley{0.2f, 0.2f}, Spectrum(0.25f), normalize({-0.2f, 0.2f, 1.0f}));
   bsdf.add(rough_glass(0.4f, 1.45f), Spectrum(0.3f), k_up);
   bsdf.add(Translucent{}, Spectrum(0.1f), normalize({0.0f, 0.2f, 1.0f}));
   bsdf.finish();
@@ -62,7 +62,7 @@ TEST(BsdfStatistics, RaisedNormalsKeepTheDensity) {
   bsdf.begin(k_up, k_up, wo);
   const Vec3 steep = direction(50.0f, 170.0f);
   ASSERT_LT(dot(steep, wo), 0.0f);
-  bsdf.add(ggx(0.4f), Spectrum(0.5f), steep);
+  bsdf.add(AshikhminShirley{0.4f, 0.4f}, Spectrum(0.5f), steep);
   bsdf.add(OrenNayar{0.5f}, Spectrum(0.5f), steep);
   bsdf.finish();
   const auto draw = [&](float, Vec2 u) -> std::optional<Vec3> {
@@ -145,6 +145,29 @@ TEST(Bsdf, TheChoiceOfALobeLeavesTheNumbersEven) {
   }
 }
 
+// How often the glossy lobe of two is chosen.
+double share_of_glossy(const Lobe& lobe, float coat_least) {
+  Bsdf bsdf;
+  bsdf.begin(k_up, k_up, direction(30.0f, 0.0f));
+  bsdf.add(Diffuse{}, Spectrum(0.99f), k_up);
+  visit_lobe([&](const auto& l) { bsdf.add(l, Spectrum(0.01f), k_up); }, lobe);
+  bsdf.finish(coat_least);
+  int glossy = 0;
+  LocalRandom random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const auto s = bsdf.sample(random.get_2d());
+    glossy += s && s->lobe_class == LobeClass::glossy ? 1 : 0;
+  }
+  return glossy / 20000.0;
+}
+
+TEST(Bsdf, CoatsAreChosenAsOftenAsAsked) {
+  EXPECT_LT(share_of_glossy(Clearcoat{0.01f}, 0.0f), 0.003);
+  EXPECT_NEAR(share_of_glossy(Clearcoat{0.01f}, 0.125f), 0.125 / 1.125, 0.01);
+  for (const float least : {0.0f, 0.125f})
+    EXPECT_NEAR(share_of_glossy(SpecularReflection{Fresnel::none()}, least), 0.01, 0.003);
+}
+
 TEST(Bsdf, DeltasAreChosenByTheirShareAndEvalIgnoresThem) {
   const Vec3 wo = direction(30.0f, 0.0f);
   Bsdf bsdf;
@@ -204,6 +227,29 @@ TEST(Bsdf, NoLightLeaksThroughTheGeometricSurface) {
     if (s) {
       EXPECT_EQ(s->wi.z < 0.0f, s->lobe_class == LobeClass::transmission);
     }
+  }
+}
+
+// Where eval is black, but the true surface does not hide it.
+TEST(Bsdf, GlossySamplesBelowTheHorizonOfABentNormalCount) {
+  const Vec3 wo = direction(40.0f, 180.0f), bent = wo;
+  for (const Lobe& lobe : {Lobe(ggx(0.6f)), Lobe(Clearcoat{0.6f})}) {
+    Bsdf bsdf;
+    bsdf.begin(k_up, k_up, wo);
+    visit_lobe([&](const auto& l) { bsdf.add(l, Spectrum(1.0f), bent); }, lobe);
+    bsdf.finish();
+    LocalRandom random(8);
+    int below = 0;
+    for (int i = 0; i < 5000; ++i) {
+      const auto s = bsdf.sample(random.get_2d());
+      if (!s) continue;
+      EXPECT_GT(dot(s->wi, k_up), 0.0f);
+      if (dot(s->wi, bent) >= -1e-3f) continue;
+      ++below;
+      EXPECT_GT(s->weight.g, 0.0f);
+      EXPECT_TRUE(is_black(bsdf.eval(s->wi).value));
+    }
+    EXPECT_GT(below, 20);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "bsdf/ggx.h"
@@ -10,8 +11,13 @@
 namespace tenniel {
 
 // Clearcoat of the Principled BSDF up to Blender 3.6 (Burley 2012, "Physically-Based Shading at
-// Disney", section 5.4 and appendix B.2): GTR1 facets of `alpha`, masking of a GGX surface with
-// alpha 0.25, index 1.5. The factor 0.25 * clearcoat is the caller's weight.
+// Disney", section 5.4): GTR1 facets of `alpha`, masking of a GGX surface with alpha 0.25, index
+// 1.5. The factor 0.25 * clearcoat is the caller's weight.
+//
+// As in Cycles the samples are reflections in GGX facets, but are divided by the density that GTR1
+// facets would have. So lamps make the wide glow of GTR1, and what paths meet by chance is mirrored
+// as sharply as by GGX: which is how artists know varnish and car paint. They may leave below the
+// horizon, as those of MicrofacetReflection.
 struct Clearcoat {
   float alpha = 0.0009f;
 
@@ -36,17 +42,11 @@ struct Clearcoat {
   std::optional<LobeSample> sample(Vec3 wo, Vec2 u) const {
     if (is_delta()) return SpecularReflection{fresnel()}.sample(wo, u);
     if (!(wo.z > 0.0f)) return std::nullopt;
-    // Appendix B.2, eq. 5: the facets by their own density D cos; here for the sine, which keeps
-    // its digits when the facets are nearly flat.
-    const float sin2 =
-        alpha < 1.0f ? sqr(alpha) * std::expm1(-2.0f * u.y * std::log(alpha)) / (1.0f - sqr(alpha))
-                     : u.y;
-    const float sin_theta = safe_sqrt(sin2), phi = k_two_pi * u.x;
-    const Vec3 m{sin_theta * std::cos(phi), sin_theta * std::sin(phi), safe_sqrt(1.0f - sin2)};
+    const Vec3 m = ggx::sample_visible_normal(wo, alpha, alpha, u);
     const Vec3 wi = normalize(reflect(wo, m));
     const float cos_facet = dot(wo, m);
-    if (!(cos_facet > 0.0f) || !(wi.z > 0.0f)) return std::nullopt;
-    const LobeEval e = eval_facet(wo, wi, m, cos_facet);
+    if (!(cos_facet > 0.0f)) return std::nullopt;
+    const LobeEval e = eval_facet(wo, {wi.x, wi.y, std::abs(wi.z)}, m, cos_facet);
     if (!(e.pdf > 0.0f)) return std::nullopt;
     return LobeSample{wi, e.value / e.pdf, e.pdf};
   }
@@ -64,12 +64,10 @@ struct Clearcoat {
   }
 
   LobeEval eval_facet(Vec3 wo, Vec3 wi, Vec3 m, float cos_facet) const {
-    const float density = normal_density(m);
-    const float pdf = density * m.z / (4.0f * cos_facet);
-    // G1(wi) G1(wo) / cos(wo), by the visible areas, which are never 0.
-    const float masking = wi.z / (ggx::visible_area(wi, k_masking_alpha, k_masking_alpha) *
-                                  ggx::visible_area(wo, k_masking_alpha, k_masking_alpha));
-    return {fresnel()(cos_facet) * (0.25f * density * masking), pdf};
+    // G1(w) = cos / visible area, which is never 0.
+    const auto area = [](Vec3 w) { return ggx::visible_area(w, k_masking_alpha, k_masking_alpha); };
+    const float pdf = 0.25f * normal_density(m) / area(wo);
+    return {fresnel()(cos_facet) * (pdf * wi.z / area(wi)), pdf};
   }
 };
 

@@ -163,6 +163,13 @@ inline std::vector<LobeCase> smooth_cases() {
   return cases;
 }
 
+// Those whose samples follow it.
+inline std::vector<LobeCase> exact_cases() {
+  std::vector<LobeCase> cases = smooth_cases();
+  std::erase_if(cases, [](const LobeCase& c) { return std::holds_alternative<Clearcoat>(c.lobe); });
+  return cases;
+}
+
 inline std::vector<LobeCase> all_cases() {
   std::vector<LobeCase> cases = diffuse_cases();
   for (const auto& more : {artistic_cases(), fiber_cases(), microfacet_cases(), delta_cases()})
@@ -173,8 +180,13 @@ inline std::vector<LobeCase> all_cases() {
 inline LobeEval eval(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   return visit_lobe([&](const auto& l) { return l.eval(wo, wi); }, lobe);
 }
+// On a surface whose normal is not bent, which hides what leaves below the lobe's horizon.
 inline std::optional<LobeSample> sample(const Lobe& lobe, Vec3 wo, Vec2 u) {
-  return visit_lobe([&](const auto& l) { return l.sample(wo, u); }, lobe);
+  auto s = visit_lobe([&](const auto& l) { return l.sample(wo, u); }, lobe);
+  const bool may_leave_below =
+      std::holds_alternative<MicrofacetReflection>(lobe) || std::holds_alternative<Clearcoat>(lobe);
+  if (s && may_leave_below && !(s->wi.z > 0.0f)) s.reset();
+  return s;
 }
 
 inline Vec3 direction(float theta_degrees, float phi_degrees) {

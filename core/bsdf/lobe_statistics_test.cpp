@@ -17,7 +17,7 @@ class LobeStatistics : public ::testing::TestWithParam<LobeCase> {
  protected:
   // Of one test among all lobes and angles.
   static double significance() {
-    return testing::sidak(0.01, static_cast<int>(smooth_cases().size() * std::size(k_angles)));
+    return testing::sidak(0.01, static_cast<int>(exact_cases().size() * std::size(k_angles)));
   }
 };
 
@@ -52,7 +52,7 @@ TEST_P(LobeStatistics, SamplesFollowTheDensity) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LobeStatistics, ::testing::ValuesIn(smooth_cases()),
+INSTANTIATE_TEST_SUITE_P(All, LobeStatistics, ::testing::ValuesIn(exact_cases()),
                          [](const auto& i) { return i.param.name; });
 
 }  // namespace

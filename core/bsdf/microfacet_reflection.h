@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "bsdf/fresnel.h"
@@ -13,6 +14,9 @@ namespace tenniel {
 
 // Reflection off a rough boundary (Walter et al. 2007, eq. 20) with separable Smith masking
 // G1(wo) G1(wi), as Cycles 3.4. A mirror where the surface is too smooth.
+//
+// Also as in Cycles, samples may leave below the horizon of the lobe's normal, where `eval` is
+// black. Where that normal is bent away from the true surface's they count, and look as in Cycles.
 struct MicrofacetReflection {
   Microsurface surface;
   Fresnel fresnel;
@@ -38,11 +42,10 @@ struct MicrofacetReflection {
     if (!(wo.z > 0.0f)) return std::nullopt;
     const Vec3 m = surface.sample_visible_normal(wo, u);
     const Vec3 wi = normalize(reflect(wo, m));
-    if (!(wi.z > 0.0f)) return std::nullopt;
     const float area = surface.visible_area(wo);
     const float pdf = surface.normal_density(m) / (4.0f * area);
     if (!(pdf > 0.0f)) return std::nullopt;
-    const float masking = surface.masking_of_visible(wo, area, wi);
+    const float masking = surface.masking_of_visible(wo, area, {wi.x, wi.y, std::abs(wi.z)});
     return LobeSample{wi, fresnel(dot(wo, m)) * masking, pdf};
   }
 };

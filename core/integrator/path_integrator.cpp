@@ -20,6 +20,8 @@ namespace {
 // light sample.
 constexpr uint32_t k_dimensions_per_vertex = VertexNumbers::k_requests + 3;
 constexpr uint32_t k_camera_dimensions = 8;
+// Cycles' least share of a lobe where the camera sees it first.
+constexpr float k_least_share_at_first = 0.125f;
 // A path that only passes through surfaces ends here whatever the settings say.
 constexpr uint32_t k_max_vertices = 1024;
 
@@ -231,7 +233,8 @@ void PathTracer::evaluate(const SurfaceInteraction& at) {
     bsdf.add(Transparent(), context.transparency, at.geometric_normal);
   if (state_.info.kind == RayKind::diffuse)
     bsdf.drop_caustics(!settings_.caustics_reflective, !settings_.caustics_refractive);
-  bsdf.finish();
+  const bool is_first = state_.info.ray_depth + state_.info.transparent_depth == 0;
+  bsdf.finish(is_first ? k_least_share_at_first : 0.0f);
   const float alpha = filter_glossy_alpha(state_.min_pdf, settings_);
   if (alpha > 0.0f) bsdf.widen(alpha);
 }
