@@ -278,6 +278,7 @@ TEST(Strands, UnevenScaleKeepsNoShape) {
 TEST(Strands, RaysThatPassThroughAHairMeetTheNext) {
   Hairs hairs = straight(0.1f);
   std::vector<StrandKey> second;
+  second.reserve(5);
   for (int i = 0; i < 5; ++i)
     second.push_back({{0.0f, 0.15f, -1.0f + 0.5f * static_cast<float>(i)}, 0.1f});
   hairs.add(second);
