@@ -29,13 +29,11 @@ _NOTES = {
     "ShaderNodeOutputMaterial": _EVERYWHERE,
     "ShaderNodeOutputWorld": _EVERYWHERE,
     "ShaderNodeOutputLight": "with the node trees of lamps",
-    "ShaderNodeBsdfGlossy": "Multiscatter GGX: see below. Ashikhmin-Shirley at a slant, bent normals: "
-                            "below",
+    "ShaderNodeBsdfGlossy": "Multiscatter GGX: see below. Ashikhmin-Shirley at a slant: below",
     "ShaderNodeBsdfAnisotropic": "Multiscatter GGX: see below",
     "ShaderNodeBsdfGlass": "Multiscatter GGX: see below",
     "ShaderNodeBsdfPrincipled": "Multiscatter GGX: see below",
     "ShaderNodeBsdfRefraction": "compared where a facet can refract the light: see below",
-    "ShaderNodeNormalMap": "on a Glossy BSDF: see below",
     "ShaderNodeBsdfToon": "compared under lamps: see below",
     "ShaderNodeBsdfHair": "compared under lamps: see below",
 }

@@ -16,10 +16,6 @@ constexpr float k_min_cos = 1e-5f;
 // in a few directions.
 constexpr float k_min_albedo = 1e-3f;
 
-Spectrum positive(Spectrum s) {
-  return {std::max(s.r, 0.0f), std::max(s.g, 0.0f), std::max(s.b, 0.0f)};
-}
-
 bool differ(Vec3 a, Vec3 b) {
   return !(dot(a, b) > 1.0f - 1e-6f);
 }

@@ -18,6 +18,8 @@
 // 4. Delta lobes exist in `sample` only; `eval` gives zero for them.
 // 5. Radiance is not scaled by 1/eta^2 at refraction (Cycles' convention).
 // 6. `weight` = value / pdf. A sample that cannot be drawn is empty: never NaN, never pdf = 0.
+// 7. Samples follow the pdf, but for what is kept of Cycles' look: Clearcoat, and what glossy
+//    microfacets send below the horizon of a bent normal.
 namespace tenniel {
 
 struct BsdfEval {

@@ -46,7 +46,7 @@ struct Clearcoat {
     const Vec3 wi = normalize(reflect(wo, m));
     const float cos_facet = dot(wo, m);
     if (!(cos_facet > 0.0f)) return std::nullopt;
-    const LobeEval e = eval_facet(wo, {wi.x, wi.y, std::abs(wi.z)}, m, cos_facet);
+    const LobeEval e = eval_facet(wo, wi, m, cos_facet);
     if (!(e.pdf > 0.0f)) return std::nullopt;
     return LobeSample{wi, e.value / e.pdf, e.pdf};
   }
@@ -67,7 +67,7 @@ struct Clearcoat {
     // G1(w) = cos / visible area, which is never 0.
     const auto area = [](Vec3 w) { return ggx::visible_area(w, k_masking_alpha, k_masking_alpha); };
     const float pdf = 0.25f * normal_density(m) / area(wo);
-    return {fresnel()(cos_facet) * (pdf * wi.z / area(wi)), pdf};
+    return {fresnel()(cos_facet) * (pdf * std::abs(wi.z) / area(wi)), pdf};
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <optional>
 
 #include "bsdf/fresnel.h"
@@ -45,7 +44,7 @@ struct MicrofacetReflection {
     const float area = surface.visible_area(wo);
     const float pdf = surface.normal_density(m) / (4.0f * area);
     if (!(pdf > 0.0f)) return std::nullopt;
-    const float masking = surface.masking_of_visible(wo, area, {wi.x, wi.y, std::abs(wi.z)});
+    const float masking = surface.masking_of_visible(wo, area, wi);
     return LobeSample{wi, fresnel(dot(wo, m)) * masking, pdf};
   }
 };

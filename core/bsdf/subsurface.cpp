@@ -42,11 +42,8 @@ float subsurface_radius_scale(SubsurfaceMethod method, float color, float ior) {
 
 bool Subsurface::make_valid() {
   if (!is_finite(color) || !is_finite(radius) || !std::isfinite(anisotropy)) return false;
-  const auto not_negative = [](Spectrum s) {
-    return Spectrum(std::max(s.r, 0.0f), std::max(s.g, 0.0f), std::max(s.b, 0.0f));
-  };
-  color = not_negative(color);
-  radius = not_negative(radius);
+  color = positive(color);
+  radius = positive(radius);
   anisotropy = std::clamp(anisotropy, 0.0f, 0.9f);
   return max_component(radius) > 0.0f;
 }

@@ -69,6 +69,10 @@ constexpr bool is_finite(Spectrum a) {
 constexpr float max_component(Spectrum a) {
   return std::max(a.r, std::max(a.g, a.b));
 }
+// Each channel, or 0 where it is less.
+constexpr Spectrum positive(Spectrum a) {
+  return {std::max(a.r, 0.0f), std::max(a.g, 0.0f), std::max(a.b, 0.0f)};
+}
 constexpr float mean(Spectrum a) {
   return (a.r + a.g + a.b) * (1.0f / 3.0f);
 }

@@ -39,9 +39,9 @@ class AliasTable {
   double total_ = 0.0;
 };
 
-// Density over [0,1)^2, bilinear between the corners of width x height cells, sampled by inversion:
-// `u.y` chooses a row, `u.x` a cell in it, and what is left of both the place in the cell. Keeps
-// the stratification of `u`.
+// Density over [0,1)^2, bilinear between the corners of width x height cells, sampled by inversion
+// level by level: `u.y` chooses a row, `u.x` a block of it and a cell of that, and what is left of
+// both the place in the cell. Keeps the stratification of `u`.
 class Distribution2D {
  public:
   Distribution2D() = default;
@@ -75,8 +75,8 @@ class Distribution2D {
 
   std::vector<float> density_;  // at the corners, and room behind the last for a whole block
   std::vector<float> rows_;     // (height) share of a row and those below it
-  std::vector<float>
-      blocks_;  // (height, blocks_per_row) share in its row of a block and those left
+  // (height, blocks_per_row) share in its row of a block and those left of it.
+  std::vector<float> blocks_;
   int width_ = 0, height_ = 0;
   double average_ = 0.0;
 };

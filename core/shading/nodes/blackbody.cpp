@@ -11,10 +11,6 @@ namespace tenniel {
 
 namespace {
 
-Spectrum positive(Spectrum c) {
-  return {std::max(c.r, 0.0f), std::max(c.g, 0.0f), std::max(c.b, 0.0f)};
-}
-
 Spectrum xyz_to_rec709(Vec3 c) {
   return {3.2404542f * c.x - 1.5371385f * c.y - 0.4985314f * c.z,
           -0.9692660f * c.x + 1.8760108f * c.y + 0.0415560f * c.z,

@@ -180,7 +180,7 @@ Spectrum adjust_hue(Spectrum c, float hue, float saturation, float value, float 
   hsv.y = saturate(hsv.y * saturation);
   hsv.z *= value;
   const Spectrum mixed = lerp(c, hsv_to_rgb(hsv), factor);
-  return {std::max(mixed.r, 0.0f), std::max(mixed.g, 0.0f), std::max(mixed.b, 0.0f)};
+  return positive(mixed);
 }
 
 Spectrum brightness_contrast(Spectrum c, float brightness, float contrast) {

@@ -118,7 +118,7 @@ Spectrum PrincipledVolumeNode::glow(const ShadingContext& context) const {
     sum += raw_blackbody_color(kelvin) * context.get(blackbody_tint) * intensity;
   // As in Cycles, what a dull red lacks of blue is taken from the emission beside it, but here no
   // light is less than none.
-  return {std::max(sum.r, 0.0f), std::max(sum.g, 0.0f), std::max(sum.b, 0.0f)};
+  return positive(sum);
 }
 
 uint8_t PrincipledVolumeNode::closure_parts() const {
