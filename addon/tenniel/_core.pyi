@@ -113,6 +113,7 @@ class InstanceDesc:
     instancer_uv: Sequence[float]  # 2
     attributes: dict[str, Sequence[float]]  # 4 floats each: Attribute nodes of type OBJECT etc.
     grids: list[int]  # indices of what fills it, each by its name as an attribute
+    has_scaled_density: bool  # its medium is thinner the larger the object is scaled
 
 class MaterialDesc:
     name: str
@@ -170,11 +171,12 @@ class ImageDesc:
 
 class GridDesc:
     name: str  # of the attribute
+    path: str  # of an OpenVDB file that has a grid of that name; the rest is not used then
     width: int
     height: int
     depth: int
     channels: int
-    values: FloatBuffer  # (depth, height, width, channels)
+    values: FloatBuffer | None  # (depth, height, width, channels)
 
 class AovDesc:
     name: str

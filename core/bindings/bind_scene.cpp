@@ -70,7 +70,8 @@ void bind_instance(py::module_& module) {
       .field("generated", &InstanceDesc::generated)
       .field("instancer_uv", &InstanceDesc::instancer_uv)
       .field("attributes", &InstanceDesc::attributes)
-      .field("grids", &InstanceDesc::grids);
+      .field("grids", &InstanceDesc::grids)
+      .field("has_scaled_density", &InstanceDesc::has_scaled_density);
 }
 
 void bind_material(py::module_& module) {
@@ -139,13 +140,15 @@ void bind_image(py::module_& module) {
 
 void bind_grid(py::module_& module) {
   constexpr int k_longest = 1 << 15;
-  Fields<GridDesc>(module, "GridDesc", "Values in the unit cube: (depth, height, width, channels).")
+  Fields<GridDesc>(module, "GridDesc",
+                   "Values in the unit cube: (depth, height, width, channels); or an OpenVDB file.")
       .field("name", &GridDesc::name)
+      .field("path", &GridDesc::path)
       .ranged("width", 1, k_longest, &GridDesc::width)
       .ranged("height", 1, k_longest, &GridDesc::height)
       .ranged("depth", 1, k_longest, &GridDesc::depth)
       .ranged("channels", 1, 4, &GridDesc::channels)
-      .field("values", &GridDesc::values);
+      .optional("values", &GridDesc::values);
 }
 
 void bind_aov(py::module_& module) {

@@ -27,6 +27,13 @@ struct LookingGlass {
 };
 
 // One placed mesh: an object, or one instance that an instancer made of it.
+// Voxels inside an object, by the id of the attribute that they are.
+struct PlacedGrid {
+  int attribute = -1;
+  const VoxelGrid* voxels = nullptr;
+  Transform from_object;  // to the unit cube of the grid
+};
+
 struct Instance {
   std::string name;
   uint32_t mesh = 0;                           // index into the scene's meshes
@@ -51,8 +58,8 @@ struct Instance {
   int light = -1;  // index of its mesh light; -1 = none is sampled
   // Values of `Attribute` nodes of type Object / Instancer / View Layer: 4 floats per id.
   std::vector<std::pair<int, std::array<float, 4>>> object_attributes;
-  // What a simulation left inside, in texture space, by the id of the attribute.
-  std::vector<std::pair<int, const VoxelGrid*>> grids;
+  std::vector<PlacedGrid> grids;  // what fills it
+  float density_scale = 1.0f;     // of its medium: that of a volume object goes with its size
 
   Transform object_to_world_at(float time) const {
     return motion.empty() ? object_to_world : place_at(motion, time);

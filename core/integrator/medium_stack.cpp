@@ -46,8 +46,9 @@ void cross(const Scene& scene, const SurfaceInteraction& at, WorldIndex world, M
 void add_medium(const Material& material, const Instance* instance, Vec3 point, Vec3 direction,
                 const PathInfo& path, ShadingContext& scratch, MediumProperties& sum) {
   if (!material.has_volume) return;
+  const float scale = instance ? instance->density_scale : 1.0f;
   if (material.is_volume_constant) {
-    sum.add(material.constant_volume);
+    sum.add(material.constant_volume, scale);
     return;
   }
   scratch.surface = SurfaceInteraction();
@@ -59,7 +60,7 @@ void add_medium(const Material& material, const Instance* instance, Vec3 point, 
   scratch.domain = ShaderDomain::surface;
   scratch.lamp = nullptr;
   scratch.material_pass_index = material.pass_index;
-  sum.add(material.evaluate_volume(scratch));
+  sum.add(material.evaluate_volume(scratch), scale);
 }
 
 }  // namespace

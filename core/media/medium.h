@@ -25,11 +25,12 @@ struct MediumProperties {
     phase.add(s, std::isfinite(g) ? g : 0.0f);
   }
   void add_emission(Spectrum radiance) { emission += usable(radiance); }
-  void add(const MediumProperties& other) {
-    sigma_a += other.sigma_a;
-    sigma_s += other.sigma_s;
-    emission += other.emission;
-    phase.add(other.phase);
+  // `scale`: of all its coefficients.
+  void add(const MediumProperties& other, float scale = 1.0f) {
+    sigma_a += other.sigma_a * scale;
+    sigma_s += other.sigma_s * scale;
+    emission += other.emission * scale;
+    phase.add(other.phase, scale);
   }
 
  private:

@@ -56,15 +56,9 @@ void PhaseFunction::add(Spectrum sigma_s, float g) {
   nearest->weight += sigma_s;
 }
 
-void PhaseFunction::add(const PhaseFunction& other) {
+void PhaseFunction::add(const PhaseFunction& other, float scale) {
   for (size_t i = 0; i < other.count_; ++i)
-    add(other.lobes_[i].weight, other.lobes_[i].g);
-}
-
-void PhaseFunction::scale(float factor) {
-  for (size_t i = 0; i < count_; ++i)
-    lobes_[i].weight *= factor;
-  total_ *= factor;
+    add(other.lobes_[i].weight * scale, other.lobes_[i].g);
 }
 
 PhaseEval PhaseFunction::eval(Vec3 direction, Vec3 wi) const {

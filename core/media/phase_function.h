@@ -32,8 +32,7 @@ class PhaseFunction {
 
   // Lobes of equal `g` become one; what is too many joins the lobe nearest to it.
   void add(Spectrum sigma_s, float g);
-  void add(const PhaseFunction& other);
-  void scale(float factor);
+  void add(const PhaseFunction& other, float scale = 1.0f);
 
   PhaseEval eval(Vec3 direction, Vec3 wi) const;
   // Must not be called without a lobe. Lobes are chosen in proportion to their mean weight.

@@ -197,6 +197,12 @@ std::vector<uint32_t> material_list(const std::vector<int>& indices, size_t coun
   return list;
 }
 
+// By which a diagonal grows, as Cycles measures volume objects; 1 where nothing is left of it.
+float mean_scale(const Transform& transform) {
+  const float scale = length(transform.vector(normalize(Vec3{1.0f, 1.0f, 1.0f})));
+  return scale > 0.0f ? scale : 1.0f;
+}
+
 Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t material_count,
                        const AttributeIds& ids) {
   Instance instance;
@@ -217,6 +223,7 @@ Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t ma
   instance.random = desc.random;
   instance.is_holdout = desc.is_holdout;
   instance.terminator_cutoff = desc.terminator_cutoff;
+  if (desc.has_scaled_density) instance.density_scale = 1.0f / mean_scale(instance.object_to_world);
   instance.generated = {desc.generated[0], desc.generated[1], desc.generated[2]};
   instance.instancer_uv = {desc.instancer_uv[0], desc.instancer_uv[1]};
   const auto& location = mesh.texture_space_location;
@@ -229,12 +236,25 @@ Instance instance_from(const InstanceDesc& desc, const MeshDesc& mesh, size_t ma
   return instance;
 }
 
+// From object space to Generated coordinates; empty where an extent is 0, as in Cycles.
+Transform texture_space(const Instance& instance) {
+  const Vec3 size = instance.texture_space_size * 2.0f, at = instance.texture_space_location;
+  const Vec3 s{safe_divide(1.0f, size.x), safe_divide(1.0f, size.y), safe_divide(1.0f, size.z)};
+  return {{s.x, 0.0f, 0.0f},
+          {0.0f, s.y, 0.0f},
+          {0.0f, 0.0f, s.z},
+          {0.5f - at.x * s.x, 0.5f - at.y * s.y, 0.5f - at.z * s.z}};
+}
+
 void add_grids(Instance& instance, const InstanceDesc& desc, const SceneCompiler& compiler) {
   for (const int index : desc.grids) {
     const auto i = static_cast<size_t>(index);
-    if (index < 0 || i >= compiler.scene.grids.size() || !compiler.scene.grids[i]) continue;
+    if (index < 0 || i >= compiler.scene.grids.size()) continue;
+    const SceneGrid& grid = compiler.scene.grids[i];
     const int id = compiler.attributes.find(compiler.description.grids[i].name);
-    if (id != AttributeIds::k_none) instance.grids.emplace_back(id, compiler.scene.grids[i].get());
+    if (grid.voxels && id != AttributeIds::k_none)
+      instance.grids.push_back(
+          {id, grid.voxels.get(), grid.from_object.value_or(texture_space(instance))});
   }
 }
 

@@ -140,7 +140,7 @@ void SceneCompiler::compile_materials() {
     };
     context.grid = [&](int index) -> const VoxelGrid* {
       const auto i = static_cast<size_t>(index);
-      return index >= 0 && i < scene.grids.size() ? scene.grids[i].get() : nullptr;
+      return index >= 0 && i < scene.grids.size() ? scene.grids[i].voxels.get() : nullptr;
     };
     context.report = [&](const std::string& node, const std::string& text) {
       diagnostics.add({"WARNING", text, "", graph.name, node, ""});

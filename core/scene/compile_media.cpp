@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which objects are filled, and whether anything is.
 #include <algorithm>
+#include <utility>
 
+#include "image/volume_io.h"
 #include "scene/compile_scene.h"
 
 namespace tenniel {
@@ -20,33 +22,45 @@ Bounds3 world_bounds(const Instance& instance, const Mesh& mesh) {
   return world;
 }
 
-// Least extent of a voxel along an axis of the texture space, in metres.
+// Least extent of a voxel along an axis of its grid, in metres.
 float voxel_extent(const Instance& instance) {
   float least = k_infinity;
-  for (const auto& [id, grid] : instance.grids) {
-    const auto& n = grid->resolution();
-    const Vec3 size = instance.texture_space_size * 2.0f;
-    const Transform& m = instance.object_to_world;
-    least = std::min({least, length(m.x) * size.x / static_cast<float>(n[0]),
-                      length(m.y) * size.y / static_cast<float>(n[1]),
-                      length(m.z) * size.z / static_cast<float>(n[2])});
+  for (const PlacedGrid& grid : instance.grids) {
+    const auto& n = grid.voxels->resolution();
+    const Transform m = instance.object_to_world * grid.from_object.inverse();
+    least =
+        std::min({least, length(m.x) / static_cast<float>(n[0]),
+                  length(m.y) / static_cast<float>(n[1]), length(m.z) / static_cast<float>(n[2])});
   }
   return least > 0.0f ? least : k_infinity;
+}
+
+bool has_values(const GridDesc& desc) {
+  if (!desc.values || desc.width < 1 || desc.height < 1 || desc.depth < 1) return false;
+  return desc.values->size() == static_cast<size_t>(desc.width) * static_cast<size_t>(desc.height) *
+                                    static_cast<size_t>(desc.depth) *
+                                    static_cast<size_t>(desc.channels);
 }
 
 }  // namespace
 
 void SceneCompiler::compile_grids() {
   for (GridDesc& desc : description.grids) {
-    const bool is_usable = desc.values && desc.width > 0 && desc.height > 0 && desc.depth > 0 &&
-                           desc.values->size() == static_cast<size_t>(desc.width) *
-                                                      static_cast<size_t>(desc.height) *
-                                                      static_cast<size_t>(desc.depth) *
-                                                      static_cast<size_t>(desc.channels);
-    scene.grids.push_back(
-        is_usable ? std::make_unique<const VoxelGrid>(
-                        desc.values, std::array{desc.width, desc.height, desc.depth}, desc.channels)
-                  : nullptr);
+    SceneGrid& grid = scene.grids.emplace_back();
+    if (desc.path.empty()) {
+      if (has_values(desc))
+        grid.voxels = std::make_unique<const VoxelGrid>(
+            *desc.values, std::array{desc.width, desc.height, desc.depth}, desc.channels);
+      desc.values.reset();
+      continue;
+    }
+    VolumeLoadResult loaded = load_volume(desc.path, desc.name, cancellation());
+    if (!loaded.grid) {
+      diagnostics.add({"WARNING", loaded.error, "", "", "", desc.path});
+      continue;
+    }
+    grid.voxels = std::move(loaded.grid);
+    grid.from_object = loaded.to_unit;
   }
 }
 

@@ -97,6 +97,7 @@ struct InstanceDesc {
   std::array<float, 2> instancer_uv{0, 0};
   std::map<std::string, std::array<float, 4>> attributes;  // for Attribute nodes off geometry
   std::vector<int> grids;  // what fills it, each by its name as an attribute
+  bool has_scaled_density = false;  // its medium is thinner the larger it is scaled
 };
 
 struct MaterialDesc {
@@ -157,9 +158,11 @@ struct ImageDesc {
   bool is_float = false;  // of `pixels`: scene-linear, else encoded bytes in [0, 1]
 };
 
-// Values in the unit cube: of a simulation in the texture space of its domain, of a Point Density.
+// Values in the unit cube: of a simulation in the texture space of its domain, of a Point Density;
+// or the grid of that name in an OpenVDB file, in object space.
 struct GridDesc {
   std::string name;
+  std::string path;  // of the file; the rest is not used then
   int width = 0, height = 0, depth = 0;
   int channels = 1;      // floats per voxel: 1, 3 or 4
   Buffer<float> values;  // (depth, height, width, channels)

@@ -67,8 +67,8 @@ size_t Scene::memory_bytes() const {
     total += mesh_bytes(mesh);
   for (const auto& image : images)
     if (image) total += image->memory_bytes();
-  for (const auto& grid : grids)
-    if (grid) total += grid->memory_bytes();
+  for (const SceneGrid& grid : grids)
+    if (grid.voxels) total += grid.voxels->memory_bytes();
   return total;
 }
 

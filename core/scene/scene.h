@@ -3,14 +3,15 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "camera/camera.h"
 #include "geometry/accel.h"
 #include "geometry/instance.h"
 #include "geometry/mesh.h"
-#include "geometry/voxel_grid.h"
 #include "image/texture.h"
+#include "image/voxel_grid.h"
 #include "lights/light.h"
 #include "lights/light_sampler.h"
 #include "math/bounds.h"
@@ -33,6 +34,11 @@ struct FilledInstance {
   float voxel = k_infinity;  // metres: least extent of its grids' voxels
 };
 
+struct SceneGrid {
+  std::unique_ptr<const VoxelGrid> voxels;  // null: unusable
+  std::optional<Transform> from_object;     // to its unit cube; none: by the texture space
+};
+
 // Everything a render reads: made by `compile_scene`, immutable since, shared by all threads.
 struct Scene final : RayQueries {
   std::vector<Mesh> meshes;
@@ -40,7 +46,7 @@ struct Scene final : RayQueries {
   std::vector<Material> materials;  // the last one is Blender's default material
   std::vector<std::unique_ptr<const Texture>> textures;
   std::vector<std::shared_ptr<const Image>> images;
-  std::vector<std::unique_ptr<const VoxelGrid>> grids;  // as in the description; null: unusable
+  std::vector<SceneGrid> grids;  // as in the description
   std::vector<Material> lamp_materials;
   std::vector<LampInfo> lamp_infos;  // of lamp_materials, index by index
   std::shared_ptr<const Accel> accel;

@@ -32,7 +32,7 @@ TESTS_MAY = {"testing"}
 # Third party: pattern of the include -> the only places that may name it.
 BORDERS = {
     r"embree3/": ("geometry/accel",),
-    r"OpenImageIO/": ("image/image_io",),
+    r"OpenImageIO/": ("image/image_io", "image/volume_io"),
     r"pybind11/": ("bindings/",),
     r"(tbb|oneapi)/": ("render/", "scene/"),
 }

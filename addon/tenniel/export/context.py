@@ -66,7 +66,7 @@ class ExportContext:
         self.motion = None    # motion.Motion while the shutter is open
         self.has_looking_glass = False
         self.behind_objects = []
-        self.has_gas_domain = None    # not looked for yet, see grids.py
+        self.has_grids = None         # not looked for yet, see grids.py
         self._test_break = test_break
 
     def check_break(self):

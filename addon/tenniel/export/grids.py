@@ -6,6 +6,7 @@ from array import array
 from mathutils import Matrix
 
 from .context import matrix_rows
+from .volume import has_volumes
 
 # Attribute -> (property of a gas domain, floats per voxel, whether Noise refines it).
 _SMOKE_GRIDS = {
@@ -17,8 +18,6 @@ _SMOKE_GRIDS = {
     'velocity': ('velocity_grid', 3, False),
 }
 
-SMOKE_ATTRIBUTES = frozenset(_SMOKE_GRIDS)
-
 
 def gas_domain(obj):
     """FluidDomainSettings of the gas simulation whose domain the object is, or None."""
@@ -29,11 +28,11 @@ def gas_domain(obj):
     return None
 
 
-def has_gas_domain(context):
-    """Whether anything in the scene is filled with simulated smoke or fire."""
-    if context.has_gas_domain is None:
-        context.has_gas_domain = any(gas_domain(obj) for obj in context.depsgraph.objects)
-    return context.has_gas_domain
+def has_grids(context):
+    """Whether anything in the scene may be filled with voxels of a simulation or of a file."""
+    if context.has_grids is None:
+        context.has_grids = has_volumes() or any(map(gas_domain, context.depsgraph.objects))
+    return context.has_grids
 
 
 def has_smoke(context, domain):
@@ -50,7 +49,7 @@ def _has_values(context, grid):
 
 def export_smoke(context, domain, names):
     """Indices of the grids of an evaluated gas domain that `names` of attributes ask for."""
-    return [index for name in sorted(SMOKE_ATTRIBUTES & names)
+    return [index for name in sorted(names & _SMOKE_GRIDS.keys())
             for index in _export_smoke_grid(context, domain, name)]
 
 

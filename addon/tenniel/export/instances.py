@@ -2,7 +2,8 @@
 """Walks all objects of the evaluated scene, instances included, and describes each.
 
 Objects of other kinds than mesh that have a surface (text, curves, metaballs) come from the
-depsgraph as instances of their evaluated mesh, so beside meshes there are only hair and points.
+depsgraph as instances of their evaluated mesh, so beside meshes there are only hair, points and
+volumes.
 """
 
 from typing import Any, NamedTuple
@@ -18,17 +19,13 @@ from .light import export_light
 from .mesh import NO_MESH, export_mesh
 from .node_readers import CONDUCTOR, INSTANCE_ATTRIBUTE_PREFIXES
 from .settings import hash_string, hash_uint2
+from .volume import export_volume
 
 _UINT_MAX = 0xffffffff
 
-_NOT_RENDERED = {
-    'VOLUME': "Volumes from OpenVDB files are not rendered: Blender's Python does not give "
-              "their voxels",
-}
-
-# Data-blocks of hair and points; versions before 3.4 may lack them.
-_STRANDS = tuple(getattr(bpy.types, name) for name in ('Curves', 'PointCloud')
-                 if hasattr(bpy.types, name))
+# Data-blocks of hair, points and volumes; versions before 3.4 may lack the first two.
+_OTHER_GEOMETRY = tuple(getattr(bpy.types, name) for name in ('Curves', 'PointCloud', 'Volume')
+                        if hasattr(bpy.types, name))
 
 # Nodes with lobes that a path may enter a dream by.
 _REFLECTING = frozenset({'ShaderNodeBsdfGlossy', 'ShaderNodeBsdfAnisotropic', 'ShaderNodeBsdfGlass',
@@ -99,10 +96,8 @@ class _Walker:
                 pass
             elif obj.type == 'LIGHT':
                 self._visit_light(instance, obj)
-            elif isinstance(obj.data, _STRANDS):
+            elif isinstance(obj.data, _OTHER_GEOMETRY):
                 self._visit_geometry(instance, obj)
-            elif obj.type in _NOT_RENDERED:
-                self._report_once(obj.name, _NOT_RENDERED[obj.type])
         except (Cancelled, KeyboardInterrupt):
             raise
         except Exception:
@@ -162,6 +157,9 @@ class _Walker:
             self._report_limits(obj)
             return
         names = _attribute_names(front, behind)
+        if isinstance(obj.data, bpy.types.Volume):
+            yield from self._volume(instance, obj, front[:1], behind[:1], names)
+            return
         if isinstance(obj.data, bpy.types.PointCloud):
             mesh = export_points(context, obj.data, names)
         else:
@@ -202,6 +200,19 @@ class _Walker:
                 self._hair_meshes[owner.name_full, hair.system.name] = mesh
             count += hair.count
             yield self._template(instance, obj, mesh, *used)
+
+    def _volume(self, instance, obj, front, behind, names):
+        """_Template of a volume object, if anything of it is to be seen."""
+        if not self._context.view_layer.use_volumes:
+            return
+        volume = export_volume(self._context, obj, names,
+                               lambda text: self._report_once(obj.name, text))
+        if volume.mesh == NO_MESH:
+            return
+        template = self._template(instance, obj, volume.mesh, front, behind)
+        template.desc.grids = volume.grids
+        template.desc.has_scaled_density = obj.data.render.space == 'OBJECT'
+        yield template
 
     def _template(self, instance, obj, mesh, front, behind):
         context = self._context
@@ -252,12 +263,14 @@ class _Walker:
         context = self._context
         override = context.view_layer.material_override
         slots = [override or slot.material for slot in obj.material_slots] or [override]
-        front = [materials.export_material(context, item) for item in slots]
+        is_volume = isinstance(obj.data, bpy.types.Volume)
+        export = materials.export_volume_material if is_volume else materials.export_material
+        front = [export(context, item) for item in slots]
         if tags.behind_material is not None:
             behind = [tags.behind_material] * len(slots)
         else:
             behind = [materials.behind_material(item) for item in slots]
-        return front, [materials.export_material(context, item) for item in behind]
+        return front, [export(context, item) for item in behind]
 
     # What holds for an object and its instancer --------------------------------------------------
 

@@ -25,6 +25,8 @@ class ExportedTree(NamedTuple):
 
 
 _NOTHING = frozenset()
+# No material of an artist starts with this byte.
+_PLAIN_SMOKE = '\x01smoke'
 _DEFAULT = ExportedMaterial(DEFAULT_MATERIAL, _NOTHING, _NOTHING)
 
 
@@ -47,6 +49,23 @@ def export_material(context, material):
     if known is None:
         material = material.evaluated_get(context.depsgraph)
         known = context.materials[material.name_full] = _add(context, material)
+    return known
+
+
+def export_volume_material(context, material):
+    """The same for a volume object, which is smoke of its density where it has no material."""
+    if material is not None:
+        return export_material(context, material)
+    known = context.materials.get(_PLAIN_SMOKE)
+    if known is None:
+        desc = context.core.MaterialDesc()
+        desc.name = desc.graph.name = _PLAIN_SMOKE
+        smoke = desc.graph.add_node('ShaderNodeVolumePrincipled', _PLAIN_SMOKE)
+        desc.graph.set_setting(smoke, 'density_attribute', 'density')
+        desc.graph.output = desc.graph.add_node('ShaderNodeOutputMaterial', "Material Output")
+        desc.graph.link(smoke, 'Volume', desc.graph.output, 'Volume')
+        known = context.materials[_PLAIN_SMOKE] = ExportedMaterial(
+            context.description.add_material(desc), frozenset({'density'}), _NOTHING)
     return known
 
 

@@ -12,7 +12,7 @@ import bpy
 from mathutils import Matrix
 
 from .context import ACTIVE_COLOR, ACTIVE_UV, GENERATED, ISLAND, POINTINESS, matrix_rows
-from .grids import SMOKE_ATTRIBUTES, export_point_density, has_gas_domain
+from .grids import export_point_density, has_grids
 from .image import export_image
 
 # Entries of ramp and curve tables, as in Cycles.
@@ -242,12 +242,11 @@ def _attribute(_context, node, needs, _report):
 
 def _principled_volume(context, node, needs, _report):
     """Names of grids only where there are any: without them most volumes are the same all over."""
-    if not has_gas_domain(context):
+    if not has_grids(context):
         return {}
     settings = {}
     for kind in ('Density', 'Color', 'Temperature'):
-        name = node.inputs[f'{kind} Attribute'].default_value
-        if name in SMOKE_ATTRIBUTES:
+        if name := node.inputs[f'{kind} Attribute'].default_value:
             needs.attributes.add(name)
             settings[f'{kind.lower()}_attribute'] = name
     return settings

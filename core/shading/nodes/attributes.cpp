@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/nodes/attributes.h"
 
-#include "geometry/voxel_grid.h"
+#include "image/voxel_grid.h"
 #include "math/numeric.h"
 #include "shading/node_type.h"
 #include "shading/nodes/attribute_names.h"
@@ -29,10 +29,10 @@ std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& con
 std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id) {
   const SurfaceInteraction& at = context.surface;
   if (at.mesh || !at.instance) return std::nullopt;
-  for (const auto& [attribute, grid] : at.instance->grids) {
-    if (attribute != id) continue;
-    const Vec3 p = texture_space_coordinate(*at.instance, at.world_to_object().point(at.position));
-    std::array<float, 4> value = grid->lookup(p, GridFilter::linear);
+  for (const PlacedGrid& grid : at.instance->grids) {
+    if (grid.attribute != id) continue;
+    const Vec3 p = grid.from_object.point(at.world_to_object().point(at.position));
+    std::array<float, 4> value = grid.voxels->lookup(p, GridFilter::linear);
     const float alpha = value[3];
     if (alpha > 1e-6f && alpha != 1.0f)
       for (size_t c = 0; c < 3; ++c)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/voxel_grid.h"
+#include "image/voxel_grid.h"
 #include "math/numeric.h"
 #include "shading/nodes/attributes.h"
 #include "shading/nodes/blackbody.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "geometry/voxel_grid.h"
+#include "image/voxel_grid.h"
 #include "shading/nodes/test_surface.h"
 #include "shading/test_graph.h"
 
@@ -114,9 +114,10 @@ TEST(VolumeNodes, DensityMayVaryOverSpace) {
 class Voxel {
  public:
   Voxel(const std::vector<float>& value, AttributeIds& ids, const char* name)
-      : grid_(std::make_shared<std::vector<float>>(value), {1, 1, 1},
-              static_cast<int>(value.size())) {
-    instance_.grids.emplace_back(ids.intern(name), &grid_);
+      : grid_(value, {1, 1, 1}, static_cast<int>(value.size())) {
+    const Transform from_object{
+        {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.5f}, {0.5f, 0.5f, 0.5f}};
+    instance_.grids.push_back({ids.intern(name), &grid_, from_object});
   }
   MediumProperties at(Vec3 position, const Material& material) const {
     ShadingContext context;
