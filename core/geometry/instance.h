@@ -32,6 +32,7 @@ struct PlacedGrid {
   int attribute = -1;
   const VoxelGrid* voxels = nullptr;
   Transform from_object;  // to the unit cube of the grid
+  Transform from_world;   // the same where the object rests
 };
 
 struct Instance {
@@ -58,8 +59,9 @@ struct Instance {
   int light = -1;  // index of its mesh light; -1 = none is sampled
   // Values of `Attribute` nodes of type Object / Instancer / View Layer: 4 floats per id.
   std::vector<std::pair<int, std::array<float, 4>>> object_attributes;
-  std::vector<PlacedGrid> grids;  // what fills it
-  float density_scale = 1.0f;     // of its medium: that of a volume object goes with its size
+  std::vector<PlacedGrid> grids;      // what fills it
+  bool is_void_beyond_grids = false;  // a volume object: where they have no voxels nothing is
+  float density_scale = 1.0f;         // of its medium: that of a volume object goes with its size
 
   Transform object_to_world_at(float time) const {
     return motion.empty() ? object_to_world : place_at(motion, time);

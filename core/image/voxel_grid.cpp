@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/numeric.h"
+#include "math/ray.h"
+
 namespace tenniel {
 
 namespace {
 
 constexpr int k_side = VoxelGrid::k_brick_side;
+// Of a brick in memory: its own voxels and the first of the next brick.
+constexpr size_t k_stored_side = k_side + 1;
+constexpr size_t k_stored_voxels = k_stored_side * k_stored_side * k_stored_side;
+constexpr std::array<size_t, 3> k_voxel_strides{1, k_stored_side, k_stored_side* k_stored_side};
 
 size_t bricks_along(int voxels) {
   return static_cast<size_t>((voxels + k_side - 1) / k_side);
@@ -20,7 +27,7 @@ VoxelGrid::VoxelGrid(std::array<int, 3> resolution, int channels, GridBorder bor
     : resolution_(resolution), channels_(static_cast<size_t>(channels)), border_(border) {
   const size_t x = bricks_along(resolution[0]), y = bricks_along(resolution[1]);
   brick_strides_ = {1, x, x * y};
-  bricks_.push_back(std::make_unique<float[]>(k_brick_voxels * channels_));
+  bricks_.push_back(std::make_unique<float[]>(k_stored_voxels * channels_));
   table_.assign(x * y * bricks_along(resolution[2]), bricks_.front().get());
 }
 
@@ -41,28 +48,77 @@ VoxelGrid::VoxelGrid(const std::vector<float>& values, std::array<int, 3> resolu
                         &brick[static_cast<size_t>((k * k_side + j) * k_side) * channels_]);
         set_brick({x / k_side, y / k_side, z / k_side}, brick.data());
       }
+  finish();
 }
 
 void VoxelGrid::set_brick(std::array<int, 3> brick, const float* values) {
-  const size_t count = k_brick_voxels * channels_;
   const auto usable = [](float v) { return std::isfinite(v) ? v : 0.0f; };
-  if (std::none_of(values, values + count, [&](float v) { return usable(v) != 0.0f; })) return;
-  const auto& made = bricks_.emplace_back(std::make_unique<float[]>(count));
-  std::transform(values, values + count, made.get(), usable);
+  const float* const end = values + k_brick_voxels * channels_;
+  if (std::none_of(values, end, [&](float v) { return usable(v) != 0.0f; })) return;
+  const auto& made = bricks_.emplace_back(std::make_unique<float[]>(k_stored_voxels * channels_));
+  const size_t row = static_cast<size_t>(k_side) * channels_;
+  for (size_t z = 0; z < k_side; ++z)
+    for (size_t y = 0; y < k_side; ++y, values += row)
+      std::transform(values, values + row,
+                     &made[(z * k_voxel_strides[2] + y * k_voxel_strides[1]) * channels_], usable);
   size_t index = 0;
   for (size_t axis = 0; axis < 3; ++axis)
     index += static_cast<size_t>(brick[axis]) * brick_strides_[axis];
   table_[index] = made.get();
 }
 
+void VoxelGrid::finish() {
+  const std::array<size_t, 3> count{bricks_along(resolution_[0]), bricks_along(resolution_[1]),
+                                    bricks_along(resolution_[2])};
+  for (size_t z = 0; z < count[2]; ++z)
+    for (size_t y = 0; y < count[1]; ++y)
+      for (size_t x = 0; x < count[0]; ++x)
+        repeat_next_bricks({x, y, z});
+  measure_empty_space();
+}
+
+// Of a voxel that may lie one beyond the last: what the border says.
+float VoxelGrid::value_near(std::array<size_t, 3> voxel, size_t channel) const {
+  size_t brick = 0, within = 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const auto last = static_cast<size_t>(resolution_[axis] - 1);
+    if (voxel[axis] > last && border_ == GridBorder::empty) return 0.0f;
+    const size_t i = std::min(voxel[axis], last);
+    brick += i / k_side * brick_strides_[axis];
+    within += i % k_side * k_voxel_strides[axis];
+  }
+  return table_[brick][within * channels_ + channel];
+}
+
+void VoxelGrid::repeat_next_bricks(std::array<size_t, 3> brick) {
+  float* const values = table_[brick[0] * brick_strides_[0] + brick[1] * brick_strides_[1] +
+                               brick[2] * brick_strides_[2]];
+  if (values == bricks_.front().get()) return;
+  std::array<size_t, 3> first, end;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    first[axis] = brick[axis] * k_side;
+    // Voxels of the brick itself that the grid has not count as beyond the last.
+    end[axis] = std::min<size_t>(k_side, static_cast<size_t>(resolution_[axis]) - first[axis]);
+  }
+  for (size_t z = 0; z <= end[2]; ++z)
+    for (size_t y = 0; y <= end[1]; ++y)
+      for (size_t x = 0; x <= end[0]; ++x) {
+        if (x < end[0] && y < end[1] && z < end[2]) continue;
+        const size_t within =
+            x * k_voxel_strides[0] + y * k_voxel_strides[1] + z * k_voxel_strides[2];
+        for (size_t c = 0; c < channels_; ++c)
+          values[within * channels_ + c] =
+              value_near({first[0] + x, first[1] + y, first[2] + z}, c);
+      }
+}
+
 size_t VoxelGrid::memory_bytes() const {
-  return bricks_.size() * k_brick_voxels * channels_ * sizeof(float) +
-         table_.size() * sizeof(table_[0]);
+  return bricks_.size() * k_stored_voxels * channels_ * sizeof(float) +
+         table_.size() * (sizeof(table_[0]) + sizeof(distances_[0]));
 }
 
 // Voxels have their values in their middle.
 VoxelGrid::Taps VoxelGrid::taps(float x, size_t axis, GridFilter filter) const {
-  constexpr std::array<size_t, 3> k_voxel_strides{1, k_side, k_side * k_side};
   Taps taps;
   const int size = resolution_[axis];
   const auto add = [&](int voxel, float weight) {
@@ -104,9 +160,94 @@ bool VoxelGrid::reaches(Vec3 p) const {
          is_near(p.z, resolution_[2]);
 }
 
-VoxelGrid::Rgba VoxelGrid::lookup(Vec3 p, GridFilter filter) const {
-  if (!reaches(p)) return {};
-  const Taps x = taps(p.x, 0, filter), y = taps(p.y, 1, filter), z = taps(p.z, 2, filter);
+// Chebyshev distances, axis by axis: from the nearest along x to the nearest of all.
+void VoxelGrid::measure_empty_space() {
+  constexpr uint8_t k_far = 255;
+  distances_.resize(table_.size());
+  std::transform(table_.begin(), table_.end(), distances_.begin(),
+                 [&](float* b) { return b == bricks_.front().get() ? k_far : uint8_t{0}; });
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const size_t stride = brick_strides_[axis], count = bricks_along(resolution_[axis]);
+    std::vector<uint8_t> line(count);
+    for (size_t first = 0; first < distances_.size(); ++first) {
+      if (first / stride % count != 0) continue;
+      for (size_t i = 0; i < count; ++i)
+        line[i] = distances_[first + i * stride];
+      for (size_t i = 0; i < count; ++i) {
+        int least = k_far;
+        // Bricks further away than the best so far cannot be better.
+        for (size_t away = 0; static_cast<int>(away) < least; ++away) {
+          if (away > i && i + away >= count) break;
+          const int step = static_cast<int>(away);
+          if (i >= away) least = std::min(least, std::max<int>(line[i - away], step));
+          if (i + away < count) least = std::min(least, std::max<int>(line[i + away], step));
+        }
+        distances_[first + i * stride] = static_cast<uint8_t>(least);
+      }
+    }
+  }
+}
+
+Vec3 VoxelGrid::in_voxels(Vec3 v) const {
+  return {v.x * static_cast<float>(resolution_[0]), v.y * static_cast<float>(resolution_[1]),
+          v.z * static_cast<float>(resolution_[2])};
+}
+
+float VoxelGrid::empty_until(Vec3 p, Vec3 direction) const {
+  const Vec3 from = in_voxels(p), step = in_voxels(direction);
+  // The box of empty bricks around that of `p`, less what linear lookups reach; all of the grid and
+  // what it reaches from outside.
+  Vec3 low, high;
+  bool is_inside = true;
+  size_t index = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<size_t>(axis);
+    is_inside &= from[axis] >= 0.0f && from[axis] < static_cast<float>(resolution_[a]);
+    low[axis] = -0.5f;
+    high[axis] = static_cast<float>(resolution_[a]) + 0.5f;
+    if (is_inside) index += static_cast<size_t>(from[axis]) / k_side * brick_strides_[a];
+  }
+  if (is_inside) {
+    const int around = distances_[index] - 1;
+    if (around < 0) return 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int brick = static_cast<int>(from[axis]) / k_side;
+      low[axis] = static_cast<float>((brick - around) * k_side) + 0.5f;
+      high[axis] = static_cast<float>((brick + around + 1) * k_side) - 0.5f;
+    }
+  }
+  float entry = 0.0f, exit = k_infinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float a = (low[axis] - from[axis]) / step[axis];
+    const float b = (high[axis] - from[axis]) / step[axis];
+    if (!(step[axis] != 0.0f)) {
+      if (from[axis] < low[axis] || from[axis] > high[axis]) exit = -k_infinity;
+      continue;
+    }
+    entry = std::max(entry, std::min(a, b));
+    exit = std::min(exit, std::max(a, b));
+  }
+  if (is_inside) return entry > 0.0f ? 0.0f : std::max(exit, 0.0f);
+  return entry <= exit ? entry : k_infinity;
+}
+
+// The first of the eight voxels around `place`, counted from the middle of the first voxel; null
+// where they are in no filled brick.
+const float* VoxelGrid::find_cell(Vec3 place, std::array<float, 3>& fractions) const {
+  size_t brick = 0, voxel = 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const float x = place[static_cast<int>(axis)];
+    if (!(x >= 0.0f && x < static_cast<float>(resolution_[axis]))) return nullptr;
+    const auto i = static_cast<size_t>(x);
+    fractions[axis] = x - static_cast<float>(i);
+    brick += i / k_side * brick_strides_[axis];
+    voxel += i % k_side * k_voxel_strides[axis];
+  }
+  const float* const values = table_[brick];
+  return values != bricks_.front().get() ? values + voxel * channels_ : nullptr;
+}
+
+VoxelGrid::Rgba VoxelGrid::gather(const Taps& x, const Taps& y, const Taps& z) const {
   Rgba sum{};
   for (size_t k = 0; k < z.count; ++k)
     for (size_t j = 0; j < y.count; ++j) {
@@ -118,6 +259,27 @@ VoxelGrid::Rgba VoxelGrid::lookup(Vec3 p, GridFilter filter) const {
           sum[c] += weight * voxel[c];
       }
     }
+  return sum;
+}
+
+VoxelGrid::Rgba VoxelGrid::lookup(Vec3 p, GridFilter filter) const {
+  if (!reaches(p)) return {};
+  Rgba sum{};
+  std::array<float, 3> t{};
+  const float* cell =
+      filter == GridFilter::linear ? find_cell(in_voxels(p) - Vec3{0.5f, 0.5f, 0.5f}, t) : nullptr;
+  if (!cell) {
+    sum = gather(taps(p.x, 0, filter), taps(p.y, 1, filter), taps(p.z, 2, filter));
+  } else {
+    for (size_t c = 0; c < channels_; ++c, ++cell) {
+      const auto along_x = [&](size_t first) {
+        return lerp(cell[first * channels_], cell[(first + 1) * channels_], t[0]);
+      };
+      constexpr size_t k_y = k_voxel_strides[1], k_z = k_voxel_strides[2];
+      sum[c] = lerp(lerp(along_x(0), along_x(k_y), t[1]),
+                    lerp(along_x(k_z), along_x(k_z + k_y), t[1]), t[2]);
+    }
+  }
   if (channels_ == 1) sum[1] = sum[2] = sum[0];
   if (channels_ < 4) sum[3] = 1.0f;
   return sum;

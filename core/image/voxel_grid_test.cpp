@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
+
+#include "math/ray.h"
 
 namespace tenniel {
 namespace {
@@ -63,6 +66,7 @@ VoxelGrid sparse_grid() {
     for (const int y : {0, 1})
       for (const int z : {0, 2})
         if (x + y + z > 0) grid.set_brick({x, y, z}, brick.data());
+  grid.finish();
   return grid;
 }
 
@@ -84,14 +88,64 @@ TEST(VoxelGrid, BricksAreWhereTheyBelong) {
 }
 
 TEST(VoxelGrid, EmptySpaceCostsNothing) {
-  const VoxelGrid empty({800, 800, 800}, 1, GridBorder::empty);
+  VoxelGrid empty({800, 800, 800}, 1, GridBorder::empty);
+  empty.finish();
   EXPECT_LT(empty.memory_bytes(), size_t{16} << 20);
-  EXPECT_EQ(sparse_grid().memory_bytes() / (VoxelGrid::k_brick_voxels * sizeof(float)), 8u);
+  EXPECT_LT(sparse_grid().memory_bytes(), size_t{8 * 9 * 9 * 9 * sizeof(float)} + 1000);
+}
+
+// A smooth function, linear lookups compared with the eight voxels around.
+TEST(VoxelGrid, LinearAcrossBricks) {
+  constexpr std::array<int, 3> k_n{19, 24, 9};
+  const auto value = [](int x, int y, int z) {
+    return std::sin(0.3f * float(x)) + 0.2f * float(y % 7) - 0.1f * float(z * z);
+  };
+  std::vector<float> values;
+  for (int z = 0; z < k_n[2]; ++z)
+    for (int y = 0; y < k_n[1]; ++y)
+      for (int x = 0; x < k_n[0]; ++x)
+        values.push_back(value(x, y, z));
+  const VoxelGrid grid(values, k_n, 1);
+  for (int z = 0; z + 1 < k_n[2]; ++z)
+    for (int y = 0; y + 1 < k_n[1]; ++y)
+      for (int x = 0; x + 1 < k_n[0]; ++x) {
+        float mean = 0.0f;
+        for (int corner = 0; corner < 8; ++corner)
+          mean += 0.125f * value(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
+        const Vec3 p{(float(x) + 1.0f) / 19.0f, (float(y) + 1.0f) / 24.0f,
+                     (float(z) + 1.0f) / 9.0f};
+        EXPECT_NEAR(grid.lookup(p, GridFilter::linear)[0], mean, 1e-4f)
+            << x << " " << y << " " << z;
+      }
+}
+
+TEST(VoxelGrid, KnowsHowFarItIsEmpty) {
+  VoxelGrid grid({80, 16, 16}, 1, GridBorder::empty);
+  std::vector<float> brick(VoxelGrid::k_brick_voxels, 1.0f);
+  grid.set_brick({6, 0, 1}, brick.data());
+  grid.finish();
+  const auto until = [&](Vec3 p, Vec3 d) { return 80.0f * grid.empty_until(p, d); };
+  // From the first brick five lie between; what is looked up reaches half a voxel.
+  const float far = until({0.05f, 0.25f, 0.75f}, {1.0f, 0.0f, 0.0f});
+  EXPECT_NEAR(far, 47.5f - 4.0f, 1e-3f);
+  EXPECT_EQ(until({0.65f, 0.25f, 0.75f}, {1.0f, 0.0f, 0.0f}), 0.0f);
+  EXPECT_NEAR(until({-0.5f, 0.5f, 0.5f}, {1.0f, 0.0f, 0.0f}), 39.5f, 1e-3f);
+  EXPECT_EQ(until({-0.5f, 0.5f, 0.5f}, {-1.0f, 0.0f, 0.0f}), k_infinity);
+  EXPECT_EQ(until({-0.5f, 3.5f, 0.5f}, {1.0f, 0.0f, 0.0f}), k_infinity);
+  // Nothing is found where nothing shall be.
+  for (float x = -0.2f; x < 1.2f; x += 0.013f)
+    for (const Vec3 d : {Vec3{1, 0.3f, 0.2f}, Vec3{-1, 0.1f, 0.4f}, Vec3{0.2f, 1, -0.6f}}) {
+      const Vec3 p{x, 0.3f, 0.6f};
+      const float end = std::min(grid.empty_until(p, d), 3.0f);
+      for (float t = 0.0f; t < end; t += 0.002f)
+        ASSERT_EQ(grid.lookup(p + d * t, GridFilter::linear)[0], 0.0f) << x << " " << t;
+    }
 }
 
 TEST(VoxelGrid, FadesAtAnEmptyBorder) {
   VoxelGrid grid({8, 8, 8}, 1, GridBorder::empty);
   grid.set_brick({0, 0, 0}, std::vector<float>(VoxelGrid::k_brick_voxels, 1.0f).data());
+  grid.finish();
   const auto at = [&](float voxels) {
     return grid.lookup({voxels / 8.0f, 0.5f, 0.5f}, GridFilter::linear)[0];
   };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/medium_stack.h"
 
+#include "shading/nodes/attributes.h"
+
 namespace tenniel {
 
 namespace {
@@ -43,13 +45,26 @@ void cross(const Scene& scene, const SurfaceInteraction& at, WorldIndex world, M
     media.enter(entry);
 }
 
-void add_medium(const Material& material, const Instance* instance, Vec3 point, Vec3 direction,
-                const PathInfo& path, ShadingContext& scratch, MediumProperties& sum) {
+// Of a grid at the point; 1 where the instance has none of that kind.
+float density_at(const GridMedium& smoke, const Instance* instance, Vec3 point) {
+  if (!instance) return 1.0f;
+  const auto voxel = grid_attribute(*instance, point, 0.0f, smoke.density);
+  return voxel ? std::max((*voxel)[0], 0.0f) : 1.0f;
+}
+
+// Calls `use(medium, scale)` for what one object or World makes of the point.
+template <class Use>
+void visit_medium(const Material& material, const Instance* instance, Vec3 point, Vec3 direction,
+                  const PathInfo& path, ShadingContext& scratch, const Use& use) {
   if (!material.has_volume) return;
   const float scale = instance ? instance->density_scale : 1.0f;
-  if (material.is_volume_constant) {
-    sum.add(material.constant_volume, scale);
-    return;
+  if (material.is_volume_constant) return use(material.constant_volume, scale);
+  if (const auto& smoke = material.grid_medium) {
+    use(smoke->medium, density_at(*smoke, instance, point) * scale);
+    if (is_black(smoke->emission)) return;
+    MediumProperties glow;
+    glow.add_emission(smoke->emission);
+    return use(glow, scale);
   }
   scratch.surface = SurfaceInteraction();
   scratch.surface.instance = instance;
@@ -60,7 +75,19 @@ void add_medium(const Material& material, const Instance* instance, Vec3 point, 
   scratch.domain = ShaderDomain::surface;
   scratch.lamp = nullptr;
   scratch.material_pass_index = material.pass_index;
-  sum.add(material.evaluate_volume(scratch), scale);
+  use(material.evaluate_volume(scratch), scale);
+}
+
+template <class Use>
+void visit_media(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                 const PathInfo& path, ShadingContext& scratch, const Use& use) {
+  scratch.camera = &scene.camera_info;
+  visit_medium(scene.worlds[path.world].material, nullptr, point, direction, path, scratch, use);
+  for (const MediumStack::Entry& entry : media) {
+    const Instance& instance = scene.instances[entry.instance];
+    const Material& material = scene.materials[instance.material(entry.slot, path.world)];
+    visit_medium(material, &instance, point, direction, path, scratch, use);
+  }
 }
 
 }  // namespace
@@ -96,16 +123,18 @@ void cross_boundary(const Scene& scene, const SurfaceInteraction& at, Vec3 origi
   }
 }
 
-MediumProperties media_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
-                          const PathInfo& path, ShadingContext& scratch) {
-  MediumProperties sum;
-  scratch.camera = &scene.camera_info;
-  add_medium(scene.worlds[path.world].material, nullptr, point, direction, path, scratch, sum);
-  for (const MediumStack::Entry& entry : media) {
-    const Instance& instance = scene.instances[entry.instance];
-    const Material& material = scene.materials[instance.material(entry.slot, path.world)];
-    add_medium(material, &instance, point, direction, path, scratch, sum);
-  }
+void add_media_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                  const PathInfo& path, ShadingContext& scratch, MediumProperties& sum) {
+  visit_media(scene, media, point, direction, path, scratch,
+              [&sum](const MediumProperties& medium, float scale) { sum.add(medium, scale); });
+}
+
+Spectrum extinction_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                       const PathInfo& path, ShadingContext& scratch) {
+  Spectrum sum;
+  visit_media(
+      scene, media, point, direction, path, scratch,
+      [&sum](const MediumProperties& medium, float scale) { sum += medium.sigma_t() * scale; });
   return sum;
 }
 

@@ -62,9 +62,12 @@ inline float skipped_length(const SurfaceInteraction& at, Vec3 origin, Vec3 dire
   return distance(at.position, origin) / cosine;
 }
 
-// What light that travels in `direction` meets at `point`.
-MediumProperties media_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
-                          const PathInfo& path, ShadingContext& scratch);
+// Adds what light that travels in `direction` meets at `point`.
+void add_media_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                  const PathInfo& path, ShadingContext& scratch, MediumProperties& sum);
+// Its extinction alone, per metre.
+Spectrum extinction_at(const Scene& scene, const MediumStack& media, Vec3 point, Vec3 direction,
+                       const PathInfo& path, ShadingContext& scratch);
 
 // Metres over which the media may be taken as homogeneous; infinite where all of them are.
 float medium_step(const Scene& scene, const MediumStack& media, WorldIndex world);

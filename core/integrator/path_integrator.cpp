@@ -69,6 +69,7 @@ class PathTracer {
   void enter(const WorldGroup& group, const SurfaceInteraction& at, Vec3 direction);
   void start_in_media();
   MediumEvent walk_media(float length);
+  MediumEvent walk_part(const VolumeWalk& walk);
 
   const Scene& scene_;
   const RenderSettings& settings_;
@@ -204,12 +205,24 @@ void PathTracer::start_in_media() {
   state_.media = media_around(scene_, ray.origin, state_.info.world);
 }
 
-// Takes the path through what fills the segment before it.
+// Takes the path through what fills the segment before it, part by part.
 MediumEvent PathTracer::walk_media(float length) {
   if (state_.media.empty() && !scene_.worlds[state_.info.world].material.has_volume)
     return MediumEvent::passed;
-  const VolumeWalk walk(scene_, settings_, state_, length, worker_);
-  if (walk.is_vacuum()) return MediumEvent::passed;
+  const float skipped = state_.skipped_before;
+  for (uint32_t part = 0;; ++part) {
+    const VolumeWalk walk(scene_, settings_, state_, length, part, worker_);
+    const MediumEvent event = walk.is_vacuum() ? MediumEvent::passed : walk_part(walk);
+    if (event != MediumEvent::passed) return event;
+    if (!walk.is_cut()) break;
+    // The ray stays where it is, and with it what lies at its end.
+    state_.skipped_before = -walk.covered();
+  }
+  state_.skipped_before = skipped;
+  return MediumEvent::passed;
+}
+
+MediumEvent PathTracer::walk_part(const VolumeWalk& walk) {
   add(walk.emission(), state_.info.ray_depth - 1, state_.has_entered);
   add(walk.lamp_light(state_, worker_), state_.info.ray_depth, state_.has_entered);
   const MediumEvent event = walk.advance(state_, worker_);
@@ -436,13 +449,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.origin = point;
   // As wide as at first sight: a bump's heights apart by what a rough bounce spreads would be flat.
   state_.cone.radius = at.footprint;
-  state_.ray.origin = offset_ray_origin(at, sample->wi);
-  state_.ray.direction = sample->wi;
-  state_.ray.t_min = 0.0f;
-  state_.ray.t_max = k_infinity;
-  state_.ray.behind = 0.0f;
-  state_.left = {};
-  state_.length_before = 0.0f;
+  state_.begin_segment(offset_ray_origin(at, sample->wi), sample->wi);
   return (!state_.ends_after_transparent || may_still_meet_light()) && survives_bounce(at, *sample);
 }
 

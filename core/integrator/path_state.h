@@ -36,6 +36,15 @@ struct PathState {
   // A bounce limit is reached: only what passes through goes on.
   bool ends_after_transparent = false;
   uint32_t vertices = 0;  // surfaces met, transparent ones included
+
+  // Begins a segment after a bounce or in a medium.
+  void begin_segment(Vec3 start, Vec3 direction) {
+    ray.origin = start;
+    ray.direction = direction;
+    ray.t_min = ray.behind = length_before = 0.0f;
+    ray.t_max = k_infinity;
+    left = {};
+  }
 };
 
 }  // namespace tenniel

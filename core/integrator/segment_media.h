@@ -21,10 +21,10 @@ struct MediumStep {
 // Most steps of one segment; where a medium varies over an infinite one the last has no end.
 constexpr size_t k_max_medium_steps = 128;
 
-// The media of one segment: one step where they are homogeneous, else short ones, each with what
-// the media are at one point of it. That point moves from segment to segment, so that steps do not
-// show. Distances are from the start of the segment; scattering and passing are balanced as in
-// FreeFlight.
+// The media of one segment, or of its first part where they are dense: one step where they are
+// homogeneous, else short ones, each with what the media are at one point of it. That point moves
+// from segment to segment, so that steps do not show. Distances are from the start of the segment;
+// scattering and passing are balanced as in FreeFlight.
 class SegmentMedia {
  public:
   // `steps` is emptied and used: it must have room for k_max_medium_steps. `ray` starts `skipped`
@@ -33,11 +33,14 @@ class SegmentMedia {
                const Ray& ray, float skipped, float length, Spectrum throughput, bool scatters,
                const PathInfo& path, ShadingContext& scratch);
 
+  // Up to where the media were looked at.
   float length() const { return length_; }
+  // Whether that is before the end: hardly anything is left of the light there.
+  bool is_cut() const { return is_cut_; }
   bool is_vacuum() const;
   // Radiance that glows toward the start.
   Spectrum emission() const;
-  // Of being scattered before the end; 0 where nothing scatters.
+  // Of being scattered before `length`; 0 where nothing scatters.
   float scatter_probability() const { return scatter_probability_; }
   Spectrum transmittance() const { return transmittance_; }
   // Distance to the scattering, given that there is one, and its density per metre.
@@ -53,14 +56,14 @@ class SegmentMedia {
   const MediumStep& step_at(float t) const;
 
   const std::vector<MediumStep>& steps_;
-  float length_;
-  float step_length_;
+  float length_ = 0.0f;
+  bool is_cut_ = false;
   Spectrum transmittance_{1.0f};
   float scatter_probability_ = 0.0f;
 };
 
 // Share of the light that crosses `length` metres of `media` along `ray`, which starts `skipped`
-// metres after them.
+// metres after them. Where little is left chance ends the search: the mean is that share.
 Spectrum segment_transmittance(const Scene& scene, const MediumStack& media, const Ray& ray,
                                float skipped, float length, const PathInfo& path,
                                ShadingContext& scratch);

@@ -11,32 +11,44 @@ namespace {
 // Apart from the dimensions of the surfaces, whose numbers stay the same with and without media.
 constexpr uint32_t k_first_dimension = 1u << 16;
 constexpr uint32_t k_dimensions_per_segment = 12;
-constexpr uint32_t k_light_dimensions = 4;
+constexpr uint32_t k_light_dimensions = 4, k_share_dimension = k_dimensions_per_segment - 1;
+// Later parts of a segment come behind those of all segments.
+constexpr uint32_t k_dimensions_per_part = 1u << 16;
 
-uint32_t dimension_of(const PathState& state) {
-  return k_first_dimension + state.vertices * k_dimensions_per_segment;
+uint32_t dimension_of(const PathState& state, uint32_t part) {
+  return k_first_dimension + part * k_dimensions_per_part +
+         state.vertices * k_dimensions_per_segment;
 }
 
 }  // namespace
 
 // A path that has reached a limit is only dimmed.
 VolumeWalk::VolumeWalk(const Scene& scene, const RenderSettings& settings, const PathState& state,
-                       float length, Worker& worker)
+                       float length, uint32_t part, Worker& worker)
     : scene_(scene),
       settings_(settings),
+      first_dimension_(dimension_of(state, part)),
+      skipped_(state.skipped_before),
       segment_(worker.medium_steps, scene, state.media, state.ray, state.skipped_before,
                state.skipped_before + length, state.throughput, !state.ends_after_transparent,
                state.info, worker.light) {}
 
 Spectrum VolumeWalk::lamp_light(const PathState& state, Worker& worker) const {
   if (!(segment_.scatter_probability() > 0.0f)) return {};
-  worker.sampler.set_dimension(dimension_of(state));
-  return light_scattered_in(scene_, settings_, state, segment_, worker);
+  // The parts of a cut segment share one light, each in proportion to what it scatters.
+  float share = 1.0f;
+  if (segment_.is_cut()) {
+    share = segment_.scatter_probability();
+    worker.sampler.set_dimension(first_dimension_ + k_share_dimension);
+    if (worker.sampler.get_1d() >= share) return {};
+  }
+  worker.sampler.set_dimension(first_dimension_);
+  return light_scattered_in(scene_, settings_, state, segment_, worker) * (1.0f / share);
 }
 
 MediumEvent VolumeWalk::advance(PathState& state, Worker& worker) const {
   Sampler& sampler = worker.sampler;
-  sampler.set_dimension(dimension_of(state) + k_light_dimensions);
+  sampler.set_dimension(first_dimension_ + k_light_dimensions);
   const float probability = segment_.scatter_probability();
   if (!(probability > 0.0f) || sampler.get_1d() >= probability) {
     state.throughput *= segment_.transmittance() * (1.0f / (1.0f - probability));
@@ -56,13 +68,8 @@ MediumEvent VolumeWalk::advance(PathState& state, Worker& worker) const {
   state.pdf = s.eval.pdf;
   state.min_pdf = std::min(state.min_pdf, s.eval.pdf);
   state.cone.radius = state.cone.radius_at(t);
-  state.ray.origin = state.ray.at(t);
-  state.ray.behind = 0.0f;
-  state.left = {};
-  state.ray.direction = s.wi;
-  state.ray.t_min = state.skipped_before = 0.0f;
-  state.ray.t_max = k_infinity;
-  state.length_before = 0.0f;
+  state.begin_segment(state.ray.at(t), s.wi);
+  state.skipped_before = 0.0f;
   state.origin = {state.ray.origin, s.wi, false};
   return MediumEvent::scattered;
 }

@@ -12,13 +12,16 @@ namespace tenniel {
 enum class MediumEvent : uint8_t { passed, scattered, ended };
 
 // The stretch of `state.ray` from its origin to the next surface, `length` metres away, and the
-// media that fill it. Light that the segment itself sends to its start is asked for first, since
-// `advance` moves the path on.
+// media that fill it; or from `-state.skipped_before` metres on, as a later part of it. Light that
+// the segment itself sends to its start is asked for first, since `advance` moves the path on.
 class VolumeWalk {
  public:
   VolumeWalk(const Scene& scene, const RenderSettings& settings, const PathState& state,
-             float length, Worker& worker);
+             float length, uint32_t part, Worker& worker);
 
+  // Metres of the ray that the walk covers; it goes on from there where that is not all.
+  float covered() const { return segment_.length() - skipped_; }
+  bool is_cut() const { return segment_.is_cut(); }
   // Nothing is there: the path may go on as if there were no media.
   bool is_vacuum() const { return segment_.is_vacuum(); }
   // What glows on the way.
@@ -32,6 +35,8 @@ class VolumeWalk {
  private:
   const Scene& scene_;
   const RenderSettings& settings_;
+  const uint32_t first_dimension_;
+  const float skipped_;
   SegmentMedia segment_;
 };
 

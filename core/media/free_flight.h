@@ -15,7 +15,12 @@ namespace tenniel {
 inline float beer_lambert(float sigma, float distance) {
   return sigma > 0.0f ? std::exp(-sigma * distance) : 1.0f;
 }
+// Most media are grey: one exponential serves all channels then.
+inline bool is_grey(Spectrum s) {
+  return s.r == s.g && s.g == s.b;
+}
 inline Spectrum beer_lambert(Spectrum sigma, float distance) {
+  if (is_grey(sigma)) return Spectrum(beer_lambert(sigma.r, distance));
   return {beer_lambert(sigma.r, distance), beer_lambert(sigma.g, distance),
           beer_lambert(sigma.b, distance)};
 }
@@ -38,6 +43,7 @@ inline Spectrum emission_length(Spectrum sigma, float distance) {
 // dims the light and never ends a path.
 class FreeFlight {
  public:
+  FreeFlight() = default;
   FreeFlight(Spectrum sigma_t, Spectrum sigma_s, Spectrum throughput, float length)
       : sigma_(components(sigma_t)),
         transmittance_(beer_lambert(sigma_t, length)),
@@ -46,7 +52,10 @@ class FreeFlight {
     const auto through = components(transmittance_);
     float scattered = 0.0f, passed = 0.0f;
     for (size_t c = 0; c < 3; ++c) {
-      extinct_[c] = sigma_[c] > 0.0f ? -std::expm1(-sigma_[c] * length) : 0.0f;
+      const bool is_known = c > 0 && sigma_[c] == sigma_[c - 1];
+      extinct_[c] = is_known           ? extinct_[c - 1]
+                    : sigma_[c] > 0.0f ? -std::expm1(-sigma_[c] * length)
+                                       : 0.0f;
       weights_[c] =
           scattering[c] > 0.0f ? before[c] * scattering[c] / sigma_[c] * extinct_[c] : 0.0f;
       scattered += weights_[c];
@@ -87,11 +96,11 @@ class FreeFlight {
  private:
   static std::array<float, 3> components(Spectrum s) { return {s.r, s.g, s.b}; }
 
-  std::array<float, 3> sigma_;
+  std::array<float, 3> sigma_{};
   std::array<float, 3> weights_{};  // of the channels, given scattering
   std::array<float, 3> extinct_{};  // 1 - transmittance
   Spectrum transmittance_;
-  float length_;
+  float length_ = 0.0f;
   float scattered_ = 0.0f;
   float scatter_probability_ = 0.0f;
 };

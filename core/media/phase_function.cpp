@@ -57,6 +57,10 @@ void PhaseFunction::add(Spectrum sigma_s, float g) {
 }
 
 void PhaseFunction::add(const PhaseFunction& other, float scale) {
+  if (count_ == 0 && scale == 1.0f) {
+    *this = other;
+    return;
+  }
   for (size_t i = 0; i < other.count_; ++i)
     add(other.lobes_[i].weight * scale, other.lobes_[i].g);
 }

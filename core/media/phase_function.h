@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "math/spectrum.h"
 #include "math/vec.h"
@@ -29,6 +31,18 @@ struct PhaseSample {
 class PhaseFunction {
  public:
   static constexpr size_t k_max_lobes = 8;
+
+  PhaseFunction() = default;
+  // Copies the lobes that there are: most media have one.
+  PhaseFunction(const PhaseFunction& other) : count_(other.count_), total_(other.total_) {
+    std::copy_n(other.lobes_.begin(), count_, lobes_.begin());
+  }
+  PhaseFunction& operator=(const PhaseFunction& other) {
+    count_ = other.count_;
+    total_ = other.total_;
+    std::copy_n(other.lobes_.begin(), count_, lobes_.begin());
+    return *this;
+  }
 
   // Lobes of equal `g` become one; what is too many joins the lobe nearest to it.
   void add(Spectrum sigma_s, float g);

@@ -112,12 +112,13 @@ TEST(Media, BoundariesCountAsNoSurface) {
   EXPECT_NEAR(render(b.scene).pixel(3, 4).g, std::exp(-0.1 * 0.2 * 20), 1e-5);
 }
 
-// Density 1 + z in object space, from 0 to 2 along the box.
-NodeGraph graded(const std::string& type) {
+// Density 1 + z in object space, from 0 to 2 along the box, times `factor`.
+NodeGraph graded(const std::string& type, float factor = 1.0f) {
   GraphBuilder g("graded");
   const uint32_t coordinate = g.add("ShaderNodeTexCoord");
   const uint32_t parts = g.add("ShaderNodeSeparateXYZ");
-  const uint32_t sum = g.add("ShaderNodeMath", {{"Value_001", {1.0f}}});
+  const uint32_t sum = g.add("ShaderNodeMath", {{"Value_001", {factor}}, {"Value_002", {factor}}},
+                             {{"operation", "MULTIPLY_ADD"}});
   const bool absorbs = type == "ShaderNodeVolumeAbsorption";
   const uint32_t v = g.add(type, {{"Color", grey(absorbs ? 0.0f : 1.0f)}});
   g.link(coordinate, "Object", parts, "Vector").link(parts, "Z", sum, "Value");
@@ -188,12 +189,30 @@ NodeGraph colored_scatter() {
   return volume("ShaderNodeVolumeScatter", {{"Color", {0.3f, 1.0f, 4.0f, 1.0f}}, {"Density", {1}}});
 }
 
+// A box of 12 voxels across, some empty and the others up to `density`.
+void add_smoke(SceneBuilder& b, float density) {
+  GridDesc grid;
+  grid.name = "density";
+  grid.width = grid.height = grid.depth = 12;
+  grid.values = std::make_shared<std::vector<float>>();
+  for (int i = 0; i < 12 * 12 * 12; ++i)
+    grid.values->push_back(i % 3 == 0 ? density * static_cast<float>(i % 7) / 6.0f : 0.0f);
+  b.scene.grids.push_back(grid);
+  GraphBuilder graph("smoke");
+  const uint32_t v = graph.add("ShaderNodeVolumePrincipled", {{"Color", grey(1.0f)}},
+                               {{"density_attribute", "density"}});
+  b.object(box(), graph.volume(v).build()).grids = {0};
+}
+
 const FurnaceCase k_furnaces[] = {
     {"isotropic", [](SceneBuilder& b) { b.object(sphere(), scatter(1.0f)); }},
     {"forward", [](SceneBuilder& b) { b.object(sphere(), scatter(2.0f, 0.9f)); }},
     {"backward", [](SceneBuilder& b) { b.object(box(), scatter(1.0f, -0.5f)); }},
     {"chromatic", [](SceneBuilder& b) { b.object(sphere(), colored_scatter()); }},
     {"graded", [](SceneBuilder& b) { b.object(box(), graded("ShaderNodeVolumeScatter")); }},
+    {"dense_and_graded",
+     [](SceneBuilder& b) { b.object(box(), graded("ShaderNodeVolumeScatter", 12.0f)); }},
+    {"smoke", [](SceneBuilder& b) { add_smoke(b, 8.0f); }},
     {"overlapping",
      [](SceneBuilder& b) {
        b.object(sphere(), scatter(0.7f, 0.5f), at(0.5f, 0.0f, 0.0f));

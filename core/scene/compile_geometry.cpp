@@ -252,9 +252,11 @@ void add_grids(Instance& instance, const InstanceDesc& desc, const SceneCompiler
     if (index < 0 || i >= compiler.scene.grids.size()) continue;
     const SceneGrid& grid = compiler.scene.grids[i];
     const int id = compiler.attributes.find(compiler.description.grids[i].name);
-    if (grid.voxels && id != AttributeIds::k_none)
-      instance.grids.push_back(
-          {id, grid.voxels.get(), grid.from_object.value_or(texture_space(instance))});
+    if (!grid.voxels || id == AttributeIds::k_none) continue;
+    const Transform from_object = grid.from_object.value_or(texture_space(instance));
+    instance.grids.push_back(
+        {id, grid.voxels.get(), from_object, from_object * instance.world_to_object});
+    instance.is_void_beyond_grids = grid.from_object.has_value();
   }
 }
 

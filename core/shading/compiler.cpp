@@ -23,6 +23,13 @@ bool is_constant(const ShaderIr& ir, uint8_t query) {
   });
 }
 
+std::optional<GridMedium> find_grid_medium(const ShaderIr& ir, uint8_t query) {
+  const std::vector<ProgramStep> steps = order_steps(ir, query);
+  if (steps.size() != 1 || steps[0].node < 0) return {};
+  const IrNode& node = ir.at(steps[0].node);
+  return node.type->grid_medium ? node.type->grid_medium(node.data.get()) : std::nullopt;
+}
+
 void find_constant_emission(const ShaderIr& ir, ShaderDomain domain, Material& material) {
   material.is_emission_constant = is_constant(ir, k_query_emission);
   if (!material.is_emission_constant) return;
@@ -126,6 +133,7 @@ void compile_volume(const MaterialSource& source, const CompileContext& context,
   material.has_volume = !material.volume.empty();
   report_notes(ir, k_query, context);
   material.is_volume_constant = is_constant(ir, k_query);
+  material.grid_medium = find_grid_medium(ir, k_query);
   if (!material.is_volume_constant) return;
   ShadingContext shading;
   shading.reserve(material.volume.register_count());
@@ -135,7 +143,7 @@ void compile_volume(const MaterialSource& source, const CompileContext& context,
 
 }  // namespace
 
-MediumProperties Material::evaluate_volume(ShadingContext& context) const {
+const MediumProperties& Material::evaluate_volume(ShadingContext& context) const {
   context.begin(k_query_volume | k_query_emission);
   volume.run(context);
   context.medium.add_emission(context.emission);

@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/attributes.h"
 #include "shading/aov.h"
+#include "shading/grid_medium.h"
 #include "shading/node_graph.h"
 #include "shading/program.h"
 #include "shading/sun_disk.h"
@@ -40,6 +42,7 @@ struct Material {
   bool has_volume = false;        // may be filled with something
   bool is_volume_constant = false;
   MediumProperties constant_volume;  // its emission included
+  std::optional<GridMedium> grid_medium;
   // How far true displacement moves the surface, world space; read only if `displaces`.
   ProgramInput<Vec3> displacement;
   DisplacementMethod displacement_method = DisplacementMethod::bump;
@@ -47,8 +50,8 @@ struct Material {
   bool use_transparent_shadow = true;
   bool sample_as_light = true;
 
-  // Runs `volume` at `context.surface`.
-  MediumProperties evaluate_volume(ShadingContext& context) const;
+  // Runs `volume` at `context.surface`; the result is part of the context.
+  const MediumProperties& evaluate_volume(ShadingContext& context) const;
   std::vector<SunDisk> suns;    // of its Sky Textures
   bool has_hidden_sun = false;  // a sun that stands where only its texture knows
 };

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "shading/grid_medium.h"
 #include "shading/shading_context.h"
 #include "shading/socket.h"
 #include "shading/sun_disk.h"
@@ -133,6 +134,8 @@ struct NodeType {
   bool (*varies)(const void* node) = nullptr;
   // A sun that this texture shows where it is asked for plain directions; null: never.
   std::optional<SunDisk> (*sun_disk)(const void* node) = nullptr;
+  // What this closure, as it is set and without links, is made of by one grid; null: never.
+  std::optional<GridMedium> (*grid_medium)(const void* node) = nullptr;
   InputInfo closure_weight;  // of a closure: its Input<float> weight, set by the compiler
   bool is_pure = true;       // depends on its inputs alone: may be folded
 
@@ -151,7 +154,8 @@ struct NodeType {
 // no eval: the compiler takes them apart. A closure node's eval adds only the parts that
 // ShadingContext::query asks for, each scaled by `weight`. `const char* note() const`,
 // `bool has_subsurface() const`, `bool varies() const`, `void prepare()`,
-// `void settle()` and `std::optional<SunDisk> sun_disk() const` are optional.
+// `void settle()`, `std::optional<SunDisk> sun_disk() const` and
+// `std::optional<GridMedium> grid_medium() const` are optional.
 template <class Node>
 class NodeTypeBuilder {
  public:
@@ -297,6 +301,10 @@ class NodeRegistry {
       type.settle = [](void* node) { static_cast<Node*>(node)->settle(); };
     if constexpr (requires(const Node& node) { node.sun_disk(); })
       type.sun_disk = [](const void* node) { return static_cast<const Node*>(node)->sun_disk(); };
+    if constexpr (requires(const Node& node) { node.grid_medium(); })
+      type.grid_medium = [](const void* node) {
+        return static_cast<const Node*>(node)->grid_medium();
+      };
     by_name_.emplace(idname, &type);
     type.idname = std::move(idname);
     return NodeTypeBuilder<Node>(type);

@@ -26,12 +26,13 @@ std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& con
   return std::nullopt;
 }
 
-std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id) {
-  const SurfaceInteraction& at = context.surface;
-  if (at.mesh || !at.instance) return std::nullopt;
-  for (const PlacedGrid& grid : at.instance->grids) {
+std::optional<std::array<float, 4>> grid_attribute(const Instance& instance, Vec3 point, float time,
+                                                   int id) {
+  for (const PlacedGrid& grid : instance.grids) {
     if (grid.attribute != id) continue;
-    const Vec3 p = grid.from_object.point(at.world_to_object().point(at.position));
+    const Vec3 p = instance.motion.empty()
+                       ? grid.from_world.point(point)
+                       : grid.from_object.point(instance.world_to_object_at(time).point(point));
     std::array<float, 4> value = grid.voxels->lookup(p, GridFilter::linear);
     const float alpha = value[3];
     if (alpha > 1e-6f && alpha != 1.0f)
@@ -40,6 +41,12 @@ std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context
     return value;
   }
   return std::nullopt;
+}
+
+std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id) {
+  const SurfaceInteraction& at = context.surface;
+  if (at.mesh || !at.instance) return std::nullopt;
+  return grid_attribute(*at.instance, at.position, at.time, id);
 }
 
 Vec3 uv_attribute(const ShadingContext& context, int id) {

@@ -17,9 +17,11 @@ std::optional<std::array<float, 4>> mesh_attribute(const ShadingContext& context
 // The attribute `id` that this instance was given.
 std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& context, int id);
 
-// What the simulation in this instance left at the point: a colour is divided by its alpha. Empty
-// on surfaces and where there is no such grid.
+// What a simulation or a file left in this instance at the point: a colour is divided by its alpha.
+// Empty on surfaces and where there is no such grid.
 std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id);
+std::optional<std::array<float, 4>> grid_attribute(const Instance& instance, Vec3 point, float time,
+                                                   int id);
 
 // UV of the attribute `id`, or (0, 0, 0).
 Vec3 uv_attribute(const ShadingContext& context, int id);

@@ -133,6 +133,18 @@ bool PrincipledVolumeNode::varies() const {
          !temperature_attribute.name.empty();
 }
 
+std::optional<GridMedium> PrincipledVolumeNode::grid_medium() const {
+  const bool needs_temperature = blackbody_intensity.linked() || blackbody_intensity.value > 0.0f;
+  if (density_attribute.name.empty() || !color_attribute.name.empty() || needs_temperature)
+    return {};
+  PrincipledVolumeNode uniform = *this;
+  uniform.density_attribute = {};
+  ShadingContext context;
+  context.begin(k_query_volume | k_query_emission);
+  uniform.eval(context);
+  return GridMedium{density_attribute.id, context.medium, context.emission};
+}
+
 namespace {
 
 enum class DensitySpace : uint8_t { object, world };

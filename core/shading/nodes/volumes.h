@@ -34,6 +34,7 @@ struct PrincipledVolumeNode {
   void eval(ShadingContext& context) const;
   uint8_t closure_parts() const;
   bool varies() const;
+  std::optional<GridMedium> grid_medium() const;
 
  private:
   Spectrum glow(const ShadingContext& context) const;

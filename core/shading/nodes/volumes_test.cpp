@@ -117,7 +117,7 @@ class Voxel {
       : grid_(value, {1, 1, 1}, static_cast<int>(value.size())) {
     const Transform from_object{
         {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.5f}, {0.5f, 0.5f, 0.5f}};
-    instance_.grids.push_back({ids.intern(name), &grid_, from_object});
+    instance_.grids.push_back({ids.intern(name), &grid_, from_object, from_object});
   }
   MediumProperties at(Vec3 position, const Material& material) const {
     ShadingContext context;
@@ -143,6 +143,23 @@ TEST(VolumeNodes, PrincipledIsScaledByItsGrid) {
   expect_near(voxel.at({0.5f, 0.5f, 1.5f}, test.material).sigma_s, Spectrum(0.0f));
   const Voxel other({0.25f}, test.attributes, "flame");
   expect_near(other.at({}, test.material).sigma_s, Spectrum(2.0f));
+}
+
+TEST(VolumeNodes, SmokeIsKnownWithoutItsShader) {
+  const std::string smoke =
+      "out: ShaderNodeOutputMaterial Volume<v.Volume\n"
+      "v: ShaderNodeVolumePrincipled Color=0.8,0.5,0.2,1 Density=3 Emission~Strength=0.5 "
+      "@density_attribute=density @temperature_attribute=temperature";
+  TestMaterial test(smoke + "\n");
+  const auto& known = test.material.grid_medium;
+  ASSERT_TRUE(known);
+  const Voxel voxel({0.25f}, test.attributes, "density");
+  const MediumProperties seen = voxel.at({}, test.material);
+  expect_near(known->medium.sigma_s * 0.25f, seen.sigma_s);
+  expect_near(known->medium.sigma_a * 0.25f, seen.sigma_a);
+  expect_near(known->emission, seen.emission);
+  for (const char* more : {" @color_attribute=color", " Blackbody~Intensity=1"})
+    EXPECT_FALSE(TestMaterial(smoke + more + "\n").material.grid_medium) << more;
 }
 
 TEST(VolumeNodes, InfoDividesColorByItsAlpha) {
