@@ -122,6 +122,8 @@ class MaterialDesc:
     displacement_method: str  # BUMP, DISPLACEMENT, BOTH
     use_transparent_shadow: bool
     sample_as_light: bool
+    volume_interpolation: str  # LINEAR, CUBIC: between voxels
+    volume_step_rate: float
 
 class LightDesc:
     name: str
@@ -152,6 +154,7 @@ class WorldDesc:
     ray_kinds: int
     sampling: str  # NONE, AUTOMATIC, MANUAL
     map_resolution: int
+    volume_step_size: float  # metres
     max_bounces: int
 
 class ImageTileDesc:
@@ -238,6 +241,7 @@ class RenderSettings:
     pixel_filter: str  # BOX, GAUSSIAN, BLACKMAN_HARRIS
     filter_width: float
     occlusion_distance: float  # metres, of Ambient Occlusion nodes whose Distance is 0
+    volume_step_rate: float
     texture_limit: int
     start_world: int
 

@@ -141,6 +141,14 @@ class TennielSceneSettings(PropertyGroup):
         name="Refractive", default=True,
         description="Light thrown onto matte surfaces through glass and water")
 
+    volume_step_rate: FloatProperty(
+        name="Step Rate Render", min=0.01, max=100.0, soft_min=0.1, soft_max=10.0, default=1.0,
+        description="Length of the steps through smoke and uneven fog; less shows more detail and "
+                    "takes longer")
+    volume_preview_step_rate: FloatProperty(
+        name="Viewport", min=0.01, max=100.0, soft_min=0.1, soft_max=10.0, default=1.0,
+        description="The same in the viewport")
+
     film_exposure: FloatProperty(
         name="Exposure", min=0.0, max=10.0, soft_min=0.0, default=1.0,
         description="Factor on the brightness of the rendered picture")

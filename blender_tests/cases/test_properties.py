@@ -29,6 +29,8 @@ SCENE_DEFAULTS = {
     'blur_glossy': 1.0,
     'caustics_reflective': True,
     'caustics_refractive': True,
+    'volume_step_rate': 1.0,
+    'volume_preview_step_rate': 1.0,
     'film_exposure': 1.0,
     'pixel_filter_type': 'BLACKMAN_HARRIS',
     'filter_width': 1.5,

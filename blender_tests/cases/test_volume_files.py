@@ -98,6 +98,13 @@ class FileTest(FileCase):
             location=(-1.2, -0.9, -1.0), scale=(1.2, 1.0, 1.0))
         self.agrees("several grids", volume_bounces=1)
 
+    def test_cubic_interpolation(self):
+        self.room()
+        material = attribute_volume("density", factor=5.0)
+        material.cycles.volume_interpolation = 'CUBIC'
+        self.add_noise(material)
+        self.agrees("cubic")
+
     def test_instances(self):
         self.room()
         first = self.add_noise(attribute_volume("density", factor=4.0), scale=(0.5, 0.5, 0.5),

@@ -216,6 +216,33 @@ class VaryingTest(VolumeCase):
         self.in_box("checkered glow", make)
 
 
+    def test_step_rate(self):
+        """Long steps blur what they miss; both engines' short ones see the same."""
+        make_noise = self.textured("ShaderNodeVolumeAbsorption", "Density", "ShaderNodeTexNoise", 9.0,
+                                   Color=(0.2, 0.5, 0.9))
+
+        def make():
+            material = make_noise()
+            material.cycles.volume_step_rate = 0.5
+            return material
+        self.in_box("material", make, volume_step_rate=0.4)
+
+    def test_world(self):
+        self.setUp()
+        self.room()
+        tree = self.scene.world.node_tree
+        nodes = scene_factory.Nodes(tree)
+        output = next(n for n in tree.nodes if n.bl_idname == "ShaderNodeOutputWorld")
+        position = nodes.add("ShaderNodeNewGeometry").outputs["Position"]
+        waves = nodes.add("ShaderNodeTexWave", None, {"Vector": position, "Scale": 0.3})
+        density = nodes.add("ShaderNodeMath", {"operation": "MULTIPLY"},
+                            {0: waves.outputs["Fac"], 1: 0.1})
+        fog = nodes.add("ShaderNodeVolumeAbsorption", None, {"Density": density})
+        tree.links.new(fog.outputs[0], output.inputs["Volume"])
+        self.scene.world.cycles.volume_step_size = 0.25
+        self.agrees("uneven World")
+
+
 class GridTest(VolumeCase):
 
     def simulated(self, name, build, **arguments):
@@ -230,6 +257,14 @@ class GridTest(VolumeCase):
             "Density": 3.0, "Color Attribute": "color"}))
         self.simulated("fire", lambda nodes: nodes.add("ShaderNodeVolumePrincipled", None, {
             "Density": 1.0, "Blackbody Intensity": 1.0, "Temperature": 600.0}))
+
+    def test_cubic_interpolation(self):
+        self.setUp()
+        self.room()
+        self.smoke(lambda nodes: nodes.add("ShaderNodeVolumePrincipled", None, {"Density": 4.0}))
+        domain = next(obj for obj in self.scene.objects if obj.modifiers and obj.data.materials)
+        domain.data.materials[0].cycles.volume_interpolation = 'CUBIC'
+        self.agrees("cubic smoke")
 
     def test_volume_info_and_attribute(self):
         def build(nodes):

@@ -82,7 +82,9 @@ void bind_material(py::module_& module) {
       .choice("displacement_method", {"BUMP", "DISPLACEMENT", "BOTH"},
               &MaterialDesc::displacement_method)
       .field("use_transparent_shadow", &MaterialDesc::use_transparent_shadow)
-      .field("sample_as_light", &MaterialDesc::sample_as_light);
+      .field("sample_as_light", &MaterialDesc::sample_as_light)
+      .choice("volume_interpolation", {"LINEAR", "CUBIC"}, &MaterialDesc::volume_interpolation)
+      .field("volume_step_rate", &MaterialDesc::volume_step_rate);
 }
 
 void bind_light(py::module_& module) {
@@ -117,6 +119,7 @@ void bind_world(py::module_& module) {
       .field("ray_kinds", &WorldDesc::visibility, &VisibilityDesc::ray_kinds)
       .choice("sampling", {"NONE", "AUTOMATIC", "MANUAL"}, &WorldDesc::sampling)
       .field("map_resolution", &WorldDesc::map_resolution)
+      .field("volume_step_size", &WorldDesc::volume_step_size)
       .field("max_bounces", &WorldDesc::max_bounces);
 }
 
@@ -216,6 +219,7 @@ void bind_settings(py::module_& module) {
       .choice("pixel_filter", {"BOX", "GAUSSIAN", "BLACKMAN_HARRIS"}, &RenderSettings::pixel_filter)
       .field("filter_width", &RenderSettings::filter_width)
       .field("occlusion_distance", &RenderSettings::occlusion_distance)
+      .field("volume_step_rate", &RenderSettings::volume_step_rate)
       .field("texture_limit", &RenderSettings::texture_limit)
       .ranged("start_world", 0, k_last_dream, &RenderSettings::start_world);
 }

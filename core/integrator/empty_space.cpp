@@ -13,7 +13,11 @@ EmptySpace::EmptySpace(const Scene& scene, const MediumStack& media, const Ray& 
   size_t count = 0;
   for (const MediumStack::Entry& entry : media) {
     const Instance& instance = scene.instances[entry.instance];
-    if (!instance.is_void_beyond_grids || !instance.motion.empty()) return;
+    const Material& material = scene.materials[instance.material(entry.slot, world)];
+    // A spline reaches further than the grid's table of empty space allows for.
+    const bool is_known = instance.is_void_beyond_grids && instance.motion.empty() &&
+                          material.grid_filter == GridFilter::linear;
+    if (!is_known) return;
     for (const PlacedGrid& grid : instance.grids) {
       if (count == k_max_grids) return;
       rays_[count++] = {grid.voxels, grid.from_world.point(ray.at(-skipped)),

@@ -10,8 +10,8 @@ namespace {
 // Boundaries of one object that a probe looks at: each slot's first one tells.
 constexpr int k_max_probes = 64;
 constexpr size_t k_max_coincident = 8;
-// Steps where a medium varies, as in Cycles: a part of the object's mean extent; metres in a World.
-constexpr float k_object_step = 0.1f, k_world_step = 10.0f;
+// Steps where a medium varies, as in Cycles: a part of the object's mean extent.
+constexpr float k_object_step = 0.1f;
 // Along no axis: it runs along no side of a box and through no pole of a sphere.
 constexpr Vec3 k_probe_direction{0.3112f, 0.1779f, 0.9335f};
 
@@ -46,9 +46,10 @@ void cross(const Scene& scene, const SurfaceInteraction& at, WorldIndex world, M
 }
 
 // Of a grid at the point; 1 where the instance has none of that kind.
-float density_at(const GridMedium& smoke, const Instance* instance, Vec3 point) {
+float density_at(const Material& smoke, const Instance* instance, Vec3 point) {
   if (!instance) return 1.0f;
-  const auto voxel = grid_attribute(*instance, point, 0.0f, smoke.density);
+  const auto voxel =
+      grid_attribute(*instance, point, 0.0f, smoke.grid_medium->density, smoke.grid_filter);
   return voxel ? std::max((*voxel)[0], 0.0f) : 1.0f;
 }
 
@@ -60,7 +61,7 @@ void visit_medium(const Material& material, const Instance* instance, Vec3 point
   const float scale = instance ? instance->density_scale : 1.0f;
   if (material.is_volume_constant) return use(material.constant_volume, scale);
   if (const auto& smoke = material.grid_medium) {
-    use(smoke->medium, density_at(*smoke, instance, point) * scale);
+    use(smoke->medium, density_at(material, instance, point) * scale);
     if (is_black(smoke->emission)) return;
     MediumProperties glow;
     glow.add_emission(smoke->emission);
@@ -75,6 +76,7 @@ void visit_medium(const Material& material, const Instance* instance, Vec3 point
   scratch.domain = ShaderDomain::surface;
   scratch.lamp = nullptr;
   scratch.material_pass_index = material.pass_index;
+  scratch.grid_filter = material.grid_filter;
   use(material.evaluate_volume(scratch), scale);
 }
 
@@ -140,10 +142,12 @@ Spectrum extinction_at(const Scene& scene, const MediumStack& media, Vec3 point,
 
 float medium_step(const Scene& scene, const MediumStack& media, WorldIndex world) {
   const auto varies = [](const Material& m) { return m.has_volume && !m.is_volume_constant; };
-  float step = varies(scene.worlds[world].material) ? k_world_step : k_infinity;
+  const Material& around = scene.worlds[world].material;
+  float step = varies(around) ? around.volume_step_rate : k_infinity;
   for (const MediumStack::Entry& entry : media) {
     const Instance& instance = scene.instances[entry.instance];
-    if (!varies(scene.materials[instance.material(entry.slot, world)])) continue;
+    const Material& material = scene.materials[instance.material(entry.slot, world)];
+    if (!varies(material)) continue;
     const auto filled = std::lower_bound(
         scene.filled_instances.begin(), scene.filled_instances.end(), entry.instance,
         [](const FilledInstance& f, uint32_t index) { return f.instance < index; });
@@ -151,8 +155,9 @@ float medium_step(const Scene& scene, const MediumStack& media, WorldIndex world
     const float least = std::min({size.x, size.y, size.z});
     const float across = k_object_step * (size.x + size.y + size.z) / 3.0f;
     // At least four steps through a flat one; none is so flat that its steps have no end.
-    step = std::min({step, std::max(std::min(across, 0.25f * least), 0.01f * across),
-                     std::max(filled->voxel, 0.01f * across)});
+    const float own = std::min(std::max(std::min(across, 0.25f * least), 0.01f * across),
+                               std::max(filled->voxel, 0.01f * across));
+    step = std::min(step, own * material.volume_step_rate);
   }
   return step;
 }

@@ -97,6 +97,11 @@ class TextureTable {
   std::map<std::tuple<int, std::string, std::string>, const Texture*> textures_;
 };
 
+// Of a step, or a factor on it: neither so short that a segment has no end, nor not a number.
+float usable_step(float x) {
+  return x > 0.0f ? std::clamp(x, 1e-3f, 1e6f) : 1.0f;
+}
+
 // What Blender gives a surface without a material: a plain diffuse of 0.8.
 NodeGraph default_graph() {
   NodeGraph graph;
@@ -156,6 +161,7 @@ void SceneCompiler::compile_materials() {
     return material;
   };
 
+  const float step_rate = usable_step(description.settings.volume_step_rate);
   MaterialDesc& fallback = description.materials.emplace_back();
   fallback.name = "Default";
   fallback.graph = default_graph();
@@ -165,6 +171,8 @@ void SceneCompiler::compile_materials() {
         compile(desc.graph, ShaderDomain::surface, displacement_of(desc.displacement_method));
     material.pass_index = desc.pass_index;
     material.use_transparent_shadow = desc.use_transparent_shadow;
+    if (desc.volume_interpolation == "CUBIC") material.grid_filter = GridFilter::cubic;
+    material.volume_step_rate = usable_step(desc.volume_step_rate) * step_rate;
     material.sample_as_light = desc.sample_as_light;
     scene.materials.push_back(std::move(material));
     tangents_of_material.push_back(required_tangents(desc.graph));
@@ -184,6 +192,7 @@ void SceneCompiler::compile_materials() {
       world.material = compile(desc.graph, ShaderDomain::world, DisplacementMethod::bump);
     }
     world.material.name = desc.name;
+    world.material.volume_step_rate = usable_step(desc.volume_step_size) * step_rate;
   }
 
   scene.lamp_materials.resize(description.lights.size());

@@ -96,7 +96,7 @@ struct InstanceDesc {
   std::array<float, 3> generated{0, 0, 0};  // of the instancer
   std::array<float, 2> instancer_uv{0, 0};
   std::map<std::string, std::array<float, 4>> attributes;  // for Attribute nodes off geometry
-  std::vector<int> grids;  // what fills it, each by its name as an attribute
+  std::vector<int> grids;           // what fills it, each by its name as an attribute
   bool has_scaled_density = false;  // its medium is thinner the larger it is scaled
 };
 
@@ -107,6 +107,8 @@ struct MaterialDesc {
   std::string displacement_method = "BUMP";  // BUMP, DISPLACEMENT, BOTH
   bool use_transparent_shadow = true;
   bool sample_as_light = true;
+  std::string volume_interpolation = "LINEAR";  // LINEAR, CUBIC: between voxels
+  float volume_step_rate = 1.0f;                // of the steps through it, where it varies
 };
 
 struct LightDesc {
@@ -138,6 +140,7 @@ struct WorldDesc {
   std::string sampling = "AUTOMATIC";  // NONE, AUTOMATIC, MANUAL
   int map_resolution = 1024;           // for MANUAL: height of the importance map
   int max_bounces = 1024;
+  float volume_step_size = 1.0f;  // metres, through its volume where that varies
 
   bool operator==(const WorldDesc&) const = default;
 };
@@ -213,6 +216,7 @@ struct RenderSettings {
   std::string pixel_filter = "BLACKMAN_HARRIS";  // BOX, GAUSSIAN, BLACKMAN_HARRIS
   float filter_width = 1.5f;
   float occlusion_distance = 10.0f;  // of Ambient Occlusion nodes whose Distance is 0
+  float volume_step_rate = 1.0f;     // of all steps through volumes
   int texture_limit = 0;             // longest side in pixels; 0 = none
   int start_world = 0;               // the camera's world: a dream can be looked at directly
 };

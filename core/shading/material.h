@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/attributes.h"
+#include "image/voxel_grid.h"
 #include "shading/aov.h"
 #include "shading/grid_medium.h"
 #include "shading/node_graph.h"
@@ -18,7 +19,6 @@ namespace tenniel {
 
 class NodeRegistry;
 class Texture;
-class VoxelGrid;
 
 enum class DisplacementMethod : uint8_t { bump, displacement, both };
 
@@ -43,6 +43,8 @@ struct Material {
   bool is_volume_constant = false;
   MediumProperties constant_volume;  // its emission included
   std::optional<GridMedium> grid_medium;
+  GridFilter grid_filter = GridFilter::linear;
+  float volume_step_rate = 1.0f;  // longer steps where it varies; in a World metres
   // How far true displacement moves the surface, world space; read only if `displaces`.
   ProgramInput<Vec3> displacement;
   DisplacementMethod displacement_method = DisplacementMethod::bump;

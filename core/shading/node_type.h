@@ -23,7 +23,6 @@ namespace tenniel {
 
 class Program;
 class Texture;
-class VoxelGrid;
 
 // An input that the node evaluates itself, as often and where it likes (bump: at three points).
 // `result` is a constant, or the register that `program` writes; null program: the constant.

@@ -7,6 +7,7 @@
 #include "bsdf/bsdf.h"
 #include "geometry/interaction.h"
 #include "geometry/visibility.h"
+#include "image/voxel_grid.h"
 #include "math/transform.h"
 #include "media/medium.h"
 #include "shading/ray_queries.h"
@@ -79,6 +80,7 @@ class ShadingContext {
   const RayQueries* rays = nullptr;  // null before there is anything to meet
   const LampInfo* lamp = nullptr;    // set in a lamp's tree only
   float material_pass_index = 0.0f;
+  GridFilter grid_filter = GridFilter::linear;  // in a volume
   // The normal that closures use where their Normal input is not linked: the shading normal, or
   // what displacement as bump made of it.
   Vec3 closure_normal;

@@ -83,6 +83,8 @@ def _add(context, material):
     desc.displacement_method = compat.lookup(material, 'displacement_method', 'BUMP')
     desc.use_transparent_shadow = bool(compat.lookup(material, 'use_transparent_shadow', True))
     desc.sample_as_light = compat.sample_as_light(material)
+    desc.volume_step_rate = compat.lookup(material, 'volume_step_rate', 1.0)
+    desc.volume_interpolation = compat.lookup(material, 'volume_interpolation', 'LINEAR')
     try:
         if compat.uses_nodes(material):
             tree = export_tree(context, material.node_tree, 'ShaderNodeOutputMaterial',

@@ -36,6 +36,8 @@ def export_settings(context):
     target.texture_limit = _texture_limit(context)
     if context.scene.world is not None:
         target.occlusion_distance = context.scene.world.light_settings.distance
+    target.volume_step_rate = (source.volume_preview_step_rate if view.is_viewport
+                               else source.volume_step_rate)
     if view.is_viewport:
         target.time_limit = 0.0
         # It starts anew at every move: each first picture would wait for the training.

@@ -44,6 +44,7 @@ def _export_world(context, world):
     desc.ray_kinds = _ray_kinds(world)
     desc.sampling = compat.lookup(world, 'sampling_method', 'AUTOMATIC')
     desc.map_resolution = compat.lookup(world, 'sample_map_resolution', 1024)
+    desc.volume_step_size = compat.lookup(world, 'volume_step_size', 1.0)
     desc.max_bounces = compat.lookup(world, 'max_bounces', 1024)
     return desc
 

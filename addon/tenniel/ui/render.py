@@ -104,6 +104,17 @@ class TENNIEL_RENDER_PT_light_paths_caustics(RenderPanel, Panel):
         switches.prop(settings, 'caustics_refractive')
 
 
+class TENNIEL_RENDER_PT_volumes(RenderPanel, Panel):
+    bl_label = "Volumes"
+    bl_options = {'DEFAULT_CLOSED'}
+
+    def draw(self, context):
+        settings = context.scene.tenniel
+        column = property_column(self.layout).column(align=True)
+        column.prop(settings, 'volume_step_rate')
+        column.prop(settings, 'volume_preview_step_rate')
+
+
 class TENNIEL_RENDER_PT_motion_blur(RenderPanel, Panel):
     bl_label = "Motion Blur"
     bl_options = {'DEFAULT_CLOSED'}
@@ -218,6 +229,7 @@ _CLASSES = (
     TENNIEL_RENDER_PT_light_paths_max_bounces,
     TENNIEL_RENDER_PT_light_paths_clamping,
     TENNIEL_RENDER_PT_light_paths_caustics,
+    TENNIEL_RENDER_PT_volumes,
     TENNIEL_RENDER_PT_motion_blur,
     TENNIEL_RENDER_PT_film,
     TENNIEL_RENDER_PT_performance,

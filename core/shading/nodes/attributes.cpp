@@ -27,13 +27,13 @@ std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& con
 }
 
 std::optional<std::array<float, 4>> grid_attribute(const Instance& instance, Vec3 point, float time,
-                                                   int id) {
+                                                   int id, GridFilter filter) {
   for (const PlacedGrid& grid : instance.grids) {
     if (grid.attribute != id) continue;
     const Vec3 p = instance.motion.empty()
                        ? grid.from_world.point(point)
                        : grid.from_object.point(instance.world_to_object_at(time).point(point));
-    std::array<float, 4> value = grid.voxels->lookup(p, GridFilter::linear);
+    std::array<float, 4> value = grid.voxels->lookup(p, filter);
     const float alpha = value[3];
     if (alpha > 1e-6f && alpha != 1.0f)
       for (size_t c = 0; c < 3; ++c)
@@ -46,7 +46,7 @@ std::optional<std::array<float, 4>> grid_attribute(const Instance& instance, Vec
 std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id) {
   const SurfaceInteraction& at = context.surface;
   if (at.mesh || !at.instance) return std::nullopt;
-  return grid_attribute(*at.instance, at.position, at.time, id);
+  return grid_attribute(*at.instance, at.position, at.time, id, context.grid_filter);
 }
 
 Vec3 uv_attribute(const ShadingContext& context, int id) {

@@ -21,7 +21,7 @@ std::optional<std::array<float, 4>> instance_attribute(const ShadingContext& con
 // Empty on surfaces and where there is no such grid.
 std::optional<std::array<float, 4>> grid_attribute(const ShadingContext& context, int id);
 std::optional<std::array<float, 4>> grid_attribute(const Instance& instance, Vec3 point, float time,
-                                                   int id);
+                                                   int id, GridFilter filter);
 
 // UV of the attribute `id`, or (0, 0, 0).
 Vec3 uv_attribute(const ShadingContext& context, int id);
