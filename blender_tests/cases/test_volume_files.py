@@ -6,6 +6,7 @@ import tempfile
 
 import bpy
 from support import scene_factory, volume_files
+from support.export_case import ExportTestCase
 from support.render import TESTED_ENGINE, render
 from support.volume_case import VolumeCase, volume
 
@@ -130,6 +131,28 @@ class MadeTest(FileCase):
         solid = volume_files.solid_volume(self.scene, ball, voxel=0.04)
         solid.data.materials.append(attribute_volume("density", factor=0.8))
         self.agrees("solid")
+
+
+class DescriptionTest(ExportTestCase):
+
+    def test_users_share_box_and_grids(self):
+        made = volume_files.made_volume(self.scene, resolution=(8, 8, 8))
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+        volume_files.save(made, folder / "small.vdb")
+        bpy.data.objects.remove(made)
+        first = volume_files.volume_from_file(self.scene, folder / "small.vdb")
+        scene_factory.link(self.scene, first.data, "Second")
+        description = self.export()
+        self.assertEqual([item.grids for item in description.instances], [[0], [0]])
+        self.assertEqual((len(description.meshes), len(description.grids)), (1, 1))
+        self.assertEqual(description.grids[0].path, str(folder / "small.vdb"))
+
+    def test_made_volumes_are_saved_for_the_core(self):
+        volume_files.made_volume(self.scene, resolution=(8, 8, 8))
+        path = pathlib.Path(self.export().grids[0].path)
+        self.assertTrue(path.is_file())
+        self.assertIn(pathlib.Path(bpy.app.tempdir), path.parents)
 
 
 class BadFileTest(FileCase):

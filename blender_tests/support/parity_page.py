@@ -8,7 +8,7 @@ import pathlib
 
 # What is in the ids of the tests that compare nodes.
 CASES = ("parity", "info_nodes", "test_sky", "tracing_nodes", "closures", "multi_ggx",
-         "test_volumes", "displacement", "test_lights", "test_aov", "subsurface", "hair",
+         "test_volume", "displacement", "test_lights", "test_aov", "subsurface", "hair",
          "mixed_materials")
 
 # Nodes that Cycles 3.4 does not render either.

@@ -60,6 +60,7 @@ class ExportContext:
         self.materials = {}   # material.name_full -> ExportedMaterial
         self.images = {}      # (image.name_full, frame) -> index
         self.meshes = {}      # see mesh.py
+        self.volumes = {}     # see volume.py
         self._links = {}      # node tree -> {input socket: link}, by address
         self._metals = {}     # node tree -> distribution or None, by address
         self.aovs = set()     # names of the passes that AOV Output nodes write

@@ -44,14 +44,21 @@ def has_volumes():
 
 
 def export_volume(context, obj, names, report):
-    """ExportedVolume of an evaluated object.
+    """ExportedVolume of an evaluated object, adding it at the first use of its data.
 
     names: the attributes that its materials ask for. report: called with a sentence for the artist.
     """
-    volume = obj.data
-    grids = volume.grids
+    key = (obj.data.as_pointer(), names)
+    if key not in context.volumes:
+        context.volumes[key] = _NOTHING
+        context.volumes[key] = _describe(context, obj, names, report)
+    return context.volumes[key]
+
+
+def _describe(context, obj, names, report):
+    grids = obj.data.grids
     if not grids.load():
-        report(f"The OpenVDB file cannot be read: {grids.error_message or volume.filepath}")
+        report(f"The OpenVDB file cannot be read: {grids.error_message or obj.data.filepath}")
         return _NOTHING
     wanted = sorted(names & {grid.name for grid in grids})
     if not wanted:
