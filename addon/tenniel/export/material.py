@@ -58,12 +58,14 @@ def export_volume_material(context, material):
         return export_material(context, material)
     known = context.materials.get(_PLAIN_SMOKE)
     if known is None:
+        graph = context.core.NodeGraph()
+        smoke = graph.add_node('ShaderNodeVolumePrincipled', "Principled Volume")
+        graph.set_setting(smoke, 'density_attribute', 'density')
+        graph.output = graph.add_node('ShaderNodeOutputMaterial', "Material Output")
+        graph.link(smoke, 'Volume', graph.output, 'Volume')
         desc = context.core.MaterialDesc()
-        desc.name = desc.graph.name = _PLAIN_SMOKE
-        smoke = desc.graph.add_node('ShaderNodeVolumePrincipled', _PLAIN_SMOKE)
-        desc.graph.set_setting(smoke, 'density_attribute', 'density')
-        desc.graph.output = desc.graph.add_node('ShaderNodeOutputMaterial', "Material Output")
-        desc.graph.link(smoke, 'Volume', desc.graph.output, 'Volume')
+        desc.name = graph.name = "Default Volume"
+        desc.graph = graph
         known = context.materials[_PLAIN_SMOKE] = ExportedMaterial(
             context.description.add_material(desc), frozenset({'density'}), _NOTHING)
     return known
