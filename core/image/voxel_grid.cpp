@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "math/numeric.h"
-#include "math/ray.h"
 
 namespace tenniel {
 
@@ -74,7 +73,8 @@ void VoxelGrid::finish() {
     for (size_t y = 0; y < count[1]; ++y)
       for (size_t x = 0; x < count[0]; ++x)
         repeat_next_bricks({x, y, z});
-  measure_empty_space();
+  empty_blocks_ = EmptyBlocks(
+      resolution_, [this](std::array<size_t, 3> block) { return is_block_filled(block); });
 }
 
 // Of a voxel that may lie one beyond the last: what the border says.
@@ -114,7 +114,7 @@ void VoxelGrid::repeat_next_bricks(std::array<size_t, 3> brick) {
 
 size_t VoxelGrid::memory_bytes() const {
   return bricks_.size() * k_stored_voxels * channels_ * sizeof(float) +
-         table_.size() * (sizeof(table_[0]) + sizeof(distances_[0]));
+         table_.size() * sizeof(table_[0]) + empty_blocks_.memory_bytes();
 }
 
 // Voxels have their values in their middle.
@@ -160,32 +160,24 @@ bool VoxelGrid::reaches(Vec3 p) const {
          is_near(p.z, resolution_[2]);
 }
 
-// Chebyshev distances, axis by axis: from the nearest along x to the nearest of all.
-void VoxelGrid::measure_empty_space() {
-  constexpr uint8_t k_far = 255;
-  distances_.resize(table_.size());
-  std::transform(table_.begin(), table_.end(), distances_.begin(),
-                 [&](float* b) { return b == bricks_.front().get() ? k_far : uint8_t{0}; });
+bool VoxelGrid::is_block_filled(std::array<size_t, 3> block) const {
+  constexpr size_t k_blocks = k_side / EmptyBlocks::k_side;
+  constexpr size_t k_block = EmptyBlocks::k_side;
+  size_t brick = 0, within = 0;
   for (size_t axis = 0; axis < 3; ++axis) {
-    const size_t stride = brick_strides_[axis], count = bricks_along(resolution_[axis]);
-    std::vector<uint8_t> line(count);
-    for (size_t first = 0; first < distances_.size(); ++first) {
-      if (first / stride % count != 0) continue;
-      for (size_t i = 0; i < count; ++i)
-        line[i] = distances_[first + i * stride];
-      for (size_t i = 0; i < count; ++i) {
-        int least = k_far;
-        // Bricks further away than the best so far cannot be better.
-        for (size_t away = 0; static_cast<int>(away) < least; ++away) {
-          if (away > i && i + away >= count) break;
-          const int step = static_cast<int>(away);
-          if (i >= away) least = std::min(least, std::max<int>(line[i - away], step));
-          if (i + away < count) least = std::min(least, std::max<int>(line[i + away], step));
-        }
-        distances_[first + i * stride] = static_cast<uint8_t>(least);
-      }
-    }
+    brick += block[axis] / k_blocks * brick_strides_[axis];
+    within += block[axis] % k_blocks * k_block * k_voxel_strides[axis];
   }
+  const float* const values = table_[brick];
+  if (values == bricks_.front().get()) return false;
+  for (size_t z = 0; z < k_block; ++z)
+    for (size_t y = 0; y < k_block; ++y) {
+      const float* const row =
+          values + (within + z * k_voxel_strides[2] + y * k_voxel_strides[1]) * channels_;
+      if (std::any_of(row, row + k_block * channels_, [](float v) { return v != 0.0f; }))
+        return true;
+    }
+  return false;
 }
 
 Vec3 VoxelGrid::in_voxels(Vec3 v) const {
@@ -194,41 +186,7 @@ Vec3 VoxelGrid::in_voxels(Vec3 v) const {
 }
 
 float VoxelGrid::empty_until(Vec3 p, Vec3 direction) const {
-  const Vec3 from = in_voxels(p), step = in_voxels(direction);
-  // The box of empty bricks around that of `p`, less what linear lookups reach; all of the grid and
-  // what it reaches from outside.
-  Vec3 low, high;
-  bool is_inside = true;
-  size_t index = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<size_t>(axis);
-    is_inside &= from[axis] >= 0.0f && from[axis] < static_cast<float>(resolution_[a]);
-    low[axis] = -0.5f;
-    high[axis] = static_cast<float>(resolution_[a]) + 0.5f;
-    if (is_inside) index += static_cast<size_t>(from[axis]) / k_side * brick_strides_[a];
-  }
-  if (is_inside) {
-    const int around = distances_[index] - 1;
-    if (around < 0) return 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int brick = static_cast<int>(from[axis]) / k_side;
-      low[axis] = static_cast<float>((brick - around) * k_side) + 0.5f;
-      high[axis] = static_cast<float>((brick + around + 1) * k_side) - 0.5f;
-    }
-  }
-  float entry = 0.0f, exit = k_infinity;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float a = (low[axis] - from[axis]) / step[axis];
-    const float b = (high[axis] - from[axis]) / step[axis];
-    if (!(step[axis] != 0.0f)) {
-      if (from[axis] < low[axis] || from[axis] > high[axis]) exit = -k_infinity;
-      continue;
-    }
-    entry = std::max(entry, std::min(a, b));
-    exit = std::min(exit, std::max(a, b));
-  }
-  if (is_inside) return entry > 0.0f ? 0.0f : std::max(exit, 0.0f);
-  return entry <= exit ? entry : k_infinity;
+  return empty_blocks_.until(in_voxels(p), in_voxels(direction));
 }
 
 // The first of the eight voxels around `place`, counted from the middle of the first voxel; null

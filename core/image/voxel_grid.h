@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "image/empty_blocks.h"
 #include "math/vec.h"
 
 namespace tenniel {
@@ -39,7 +40,7 @@ class VoxelGrid {
   // To be called once after all bricks are filled and before any lookup.
   void finish();
   // In the space of the unit cube: for all 0 <= t < the result, linear lookups at p + t * direction
-  // are 0. A lower bound; 0 near filled bricks.
+  // are 0. A lower bound; 0 near voxels that are not.
   float empty_until(Vec3 p, Vec3 direction) const;
 
   const std::array<int, 3>& resolution() const { return resolution_; }
@@ -57,7 +58,7 @@ class VoxelGrid {
   const float* find_cell(Vec3 place, std::array<float, 3>& fractions) const;
   void repeat_next_bricks(std::array<size_t, 3> brick);
   float value_near(std::array<size_t, 3> voxel, size_t channel) const;
-  void measure_empty_space();
+  bool is_block_filled(std::array<size_t, 3> block) const;
   Rgba gather(const Taps& x, const Taps& y, const Taps& z) const;
   bool reaches(Vec3 p) const;
   Vec3 in_voxels(Vec3 v) const;
@@ -68,9 +69,7 @@ class VoxelGrid {
   GridBorder border_;
   std::vector<std::unique_ptr<float[]>> bricks_;  // the first is empty space
   std::vector<float*> table_;                     // brick by brick, x fastest
-  // Of each brick to the nearest filled one, in bricks along the axis where they are farthest
-  // apart.
-  std::vector<uint8_t> distances_;
+  EmptyBlocks empty_blocks_;
 };
 
 }  // namespace tenniel

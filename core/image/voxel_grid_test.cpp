@@ -125,7 +125,7 @@ TEST(VoxelGrid, KnowsHowFarItIsEmpty) {
   grid.set_brick({6, 0, 1}, brick.data());
   grid.finish();
   const auto until = [&](Vec3 p, Vec3 d) { return 80.0f * grid.empty_until(p, d); };
-  // From the first brick five lie between; what is looked up reaches half a voxel.
+  // What is looked up reaches half a voxel.
   const float far = until({0.05f, 0.25f, 0.75f}, {1.0f, 0.0f, 0.0f});
   EXPECT_NEAR(far, 47.5f - 4.0f, 1e-3f);
   EXPECT_EQ(until({0.65f, 0.25f, 0.75f}, {1.0f, 0.0f, 0.0f}), 0.0f);
