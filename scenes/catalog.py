@@ -11,6 +11,7 @@ SCENES = {
     "procedural_spheres": "every procedural texture through a ramp and a bump; for timing",
     "textured_spheres": "balls and planks with colour, roughness and normals from pictures",
     "veach_mis": "four glossy plates under four lights: light and BSDF sampling must share",
+    "cloud": "a volume object of 6 million voxels that geometry nodes make, in the sun",
     "cornell": "the Cornell box: colour bleeding and soft shadows from an emissive mesh",
 }
 
