@@ -99,6 +99,19 @@ class FileTest(FileCase):
             location=(-1.2, -0.9, -1.0), scale=(1.2, 1.0, 1.0))
         self.agrees("several grids", volume_bounces=1)
 
+    def test_sequence(self):
+        cache = self.smoke(lambda nodes: nodes.add("ShaderNodeVolumePrincipled"))
+        for obj in list(self.scene.objects):
+            bpy.data.objects.remove(obj)
+        self.room()
+        smoke = volume_files.volume_from_file(
+            self.scene, cache / "fluid_data_0001.vdb", attribute_volume("density", factor=3.0),
+            location=(-1.2, -0.9, -1.0), scale=(1.2, 1.0, 1.0))
+        smoke.data.is_sequence = True
+        smoke.data.frame_duration = 5
+        self.scene.frame_set(4)
+        self.agrees("frame 4")
+
     def test_cubic_interpolation(self):
         self.room()
         material = attribute_volume("density", factor=5.0)
