@@ -34,7 +34,8 @@ Span span_in_box(Vec3 from, Vec3 step, Vec3 low, Vec3 high) {
 }  // namespace
 
 EmptyBlocks::EmptyBlocks(std::array<int, 3> voxels,
-                         const std::function<bool(std::array<size_t, 3>)>& is_filled)
+                         const std::function<bool(std::array<size_t, 3>)>& is_filled,
+                         const Cancellation& cancellation)
     : voxels_(voxels) {
   size_t stride = 1;
   for (size_t axis = 0; axis < 3; ++axis) {
@@ -44,19 +45,22 @@ EmptyBlocks::EmptyBlocks(std::array<int, 3> voxels,
   }
   distances_.reserve(stride);
   for (size_t z = 0; z < counts_[2]; ++z)
-    for (size_t y = 0; y < counts_[1]; ++y)
+    for (size_t y = 0; y < counts_[1]; ++y) {
+      cancellation.check();
       for (size_t x = 0; x < counts_[0]; ++x)
         distances_.push_back(is_filled({x, y, z}) ? 0 : k_far);
+    }
   // From the nearest along x to the nearest of all.
   for (size_t axis = 0; axis < 3; ++axis)
-    spread_along(axis);
+    spread_along(axis, cancellation);
 }
 
-void EmptyBlocks::spread_along(size_t axis) {
+void EmptyBlocks::spread_along(size_t axis, const Cancellation& cancellation) {
   const size_t stride = strides_[axis], count = counts_[axis];
   std::vector<uint8_t> line(count);
   for (size_t first = 0; first < distances_.size(); ++first) {
     if (first / stride % count != 0) continue;
+    cancellation.check();
     for (size_t i = 0; i < count; ++i)
       line[i] = distances_[first + i * stride];
     if (std::all_of(line.begin(), line.end(), [](uint8_t d) { return d == k_far; })) continue;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "math/cancellation.h"
 #include "math/vec.h"
 
 namespace tenniel {
@@ -18,9 +19,10 @@ class EmptyBlocks {
   static constexpr int k_side = 4;  // voxels
 
   EmptyBlocks() = default;  // of a grid without voxels: all is empty
-  // `is_filled` is asked once of each block, by its place among the blocks.
+  // `is_filled` is asked once of each block, by its place among the blocks. Throws Cancelled.
   EmptyBlocks(std::array<int, 3> voxels,
-              const std::function<bool(std::array<size_t, 3>)>& is_filled);
+              const std::function<bool(std::array<size_t, 3>)>& is_filled,
+              const Cancellation& cancellation);
 
   // In voxels: all linear lookups at from + t * step are 0 for 0 <= t < the result. A lower bound;
   // 0 near filled blocks.
@@ -29,7 +31,7 @@ class EmptyBlocks {
   size_t memory_bytes() const { return distances_.size(); }
 
  private:
-  void spread_along(size_t axis);
+  void spread_along(size_t axis, const Cancellation& cancellation);
 
   std::array<int, 3> voxels_{};
   std::array<size_t, 3> counts_{}, strides_{};  // of blocks along each axis

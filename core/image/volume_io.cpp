@@ -114,7 +114,7 @@ VolumeLoadResult read_grid(const std::string& path, const std::string& name,
                                           spec.nchannels, GridBorder::empty);
   const std::string problem = read_bricks(*input, number, spec, *grid, cancellation);
   if (!problem.empty()) return grid_failure(problem);
-  grid->finish();
+  grid->finish(cancellation);
   return {std::move(grid), to_unit, {}};
 }
 

@@ -66,15 +66,17 @@ void VoxelGrid::set_brick(std::array<int, 3> brick, const float* values) {
   table_[index] = made.get();
 }
 
-void VoxelGrid::finish() {
+void VoxelGrid::finish(const Cancellation& cancellation) {
   const std::array<size_t, 3> count{bricks_along(resolution_[0]), bricks_along(resolution_[1]),
                                     bricks_along(resolution_[2])};
   for (size_t z = 0; z < count[2]; ++z)
-    for (size_t y = 0; y < count[1]; ++y)
+    for (size_t y = 0; y < count[1]; ++y) {
+      cancellation.check();
       for (size_t x = 0; x < count[0]; ++x)
         repeat_next_bricks({x, y, z});
-  empty_blocks_ = EmptyBlocks(
-      resolution_, [this](std::array<size_t, 3> block) { return is_block_filled(block); });
+    }
+  const auto is_filled = [this](std::array<size_t, 3> block) { return is_block_filled(block); };
+  empty_blocks_ = EmptyBlocks(resolution_, is_filled, cancellation);
 }
 
 // Of a voxel that may lie one beyond the last: what the border says.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/empty_blocks.h"
+#include "math/cancellation.h"
 #include "math/vec.h"
 
 namespace tenniel {
@@ -38,7 +39,7 @@ class VoxelGrid {
   Rgba lookup(Vec3 p, GridFilter filter) const;
 
   // To be called once after all bricks are filled and before any lookup.
-  void finish();
+  void finish(const Cancellation& cancellation = {});
   // In the space of the unit cube: for all 0 <= t < the result, linear lookups at p + t * direction
   // are 0. A lower bound; 0 near voxels that are not.
   float empty_until(Vec3 p, Vec3 direction) const;
