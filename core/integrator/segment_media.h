@@ -35,7 +35,7 @@ class SegmentMedia {
 
   // Up to where the media were looked at.
   float length() const { return length_; }
-  // Whether that is before the end: hardly anything is left of the light there.
+  // Whether that is before the end: hardly any light is left there, or the steps are used up.
   bool is_cut() const { return is_cut_; }
   bool is_vacuum() const;
   // Radiance that glows toward the start.

@@ -35,9 +35,9 @@ VolumeWalk::VolumeWalk(const Scene& scene, const RenderSettings& settings, const
 
 Spectrum VolumeWalk::lamp_light(const PathState& state, Worker& worker) const {
   if (!(segment_.scatter_probability() > 0.0f)) return {};
-  // The parts of a cut segment share one light, each in proportion to what it scatters.
+  // The dense parts of a cut segment share one light, each in proportion to what it scatters.
   float share = 1.0f;
-  if (segment_.is_cut()) {
+  if (segment_.is_cut() && segment_.scatter_probability() > 0.5f) {
     share = segment_.scatter_probability();
     worker.sampler.set_dimension(first_dimension_ + k_share_dimension);
     if (worker.sampler.get_1d() >= share) return {};
