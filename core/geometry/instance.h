@@ -26,7 +26,6 @@ struct LookingGlass {
   bool first_seen_only = false;
 };
 
-// One placed mesh: an object, or one instance that an instancer made of it.
 // Voxels inside an object, by the id of the attribute that they are.
 struct PlacedGrid {
   int attribute = -1;
@@ -35,6 +34,7 @@ struct PlacedGrid {
   Transform from_world;   // the same where the object rests
 };
 
+// One placed mesh: an object, or one instance that an instancer made of it.
 struct Instance {
   std::string name;
   uint32_t mesh = 0;                           // index into the scene's meshes

@@ -75,6 +75,7 @@ void VoxelGrid::finish(const Cancellation& cancellation) {
       for (size_t x = 0; x < count[0]; ++x)
         repeat_next_bricks({x, y, z});
     }
+  if (border_ != GridBorder::empty) return;
   const auto is_filled = [this](std::array<size_t, 3> block) { return is_block_filled(block); };
   empty_blocks_ = EmptyBlocks(resolution_, is_filled, cancellation);
 }
@@ -188,6 +189,7 @@ Vec3 VoxelGrid::in_voxels(Vec3 v) const {
 }
 
 float VoxelGrid::empty_until(Vec3 p, Vec3 direction) const {
+  if (border_ != GridBorder::empty) return 0.0f;
   return empty_blocks_.until(in_voxels(p), in_voxels(direction));
 }
 

@@ -41,7 +41,7 @@ class VoxelGrid {
   // To be called once after all bricks are filled and before any lookup.
   void finish(const Cancellation& cancellation = {});
   // In the space of the unit cube: for all 0 <= t < the result, linear lookups at p + t * direction
-  // are 0. A lower bound; 0 near voxels that are not.
+  // are 0. A lower bound; 0 near voxels that are not, and where the border is extended.
   float empty_until(Vec3 p, Vec3 direction) const;
 
   const std::array<int, 3>& resolution() const { return resolution_; }
