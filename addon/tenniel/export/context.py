@@ -162,6 +162,12 @@ def world_bits(tags):
     return sum(1 << world for world in mirror_tags.worlds(tags))
 
 
+def filled(buffer, values):
+    """A buffer of the core with the values of an array of the same type and length."""
+    memoryview(buffer).cast('B')[:] = memoryview(values).cast('B')
+    return buffer
+
+
 def matrix_rows(matrix):
     """The upper three rows of a 4x4 matrix as 12 floats."""
     return (*matrix[0], *matrix[1], *matrix[2])

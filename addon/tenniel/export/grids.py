@@ -5,7 +5,7 @@ from array import array
 
 from mathutils import Matrix
 
-from .context import matrix_rows
+from .context import filled, matrix_rows
 from .volume import has_volumes
 
 # Attribute -> (property of a gas domain, floats per voxel, whether Noise refines it).
@@ -79,8 +79,7 @@ def export_point_density(context, node):
     size = round((len(voxels) / 4) ** (1 / 3))
     if not size or len(voxels) != 4 * size ** 3:
         return None
-    buffer = context.core.FloatBuffer(len(voxels))
-    memoryview(buffer)[:] = memoryview(array('f', voxels))
+    buffer = filled(context.core.FloatBuffer(len(voxels)), array('f', voxels))
     stretch = Matrix.Diagonal([1.0 / (b - a) if b != a else 1.0 for a, b in zip(low, high)])
     to_grid = stretch.to_4x4() @ Matrix.Translation(-low)
     world = node.object.evaluated_get(context.depsgraph).matrix_world

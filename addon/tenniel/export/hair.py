@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from mathutils import Vector
 
 from . import compat
-from .context import ACTIVE_UV, GENERATED, matrix_rows
+from .context import ACTIVE_UV, GENERATED, filled, matrix_rows
 from .mesh import NO_MESH, read_attribute
 
 # Blender's radius of a point that has none.
@@ -84,12 +84,13 @@ def export_hair_system(context, hair, first_hair, names):
     points = _points_of(context, hair)
     desc = _new(context, hair.system.name)
     desc.to_object = matrix_rows(owner.matrix_world.inverted_safe())
-    desc.positions = _floats(core, points)
+    desc.positions = filled(core.FloatBuffer(len(points)), points)
     settings = hair.system.settings
     scale = 0.5 * settings.radius_scale
     desc.root_radius, desc.tip_radius = scale * settings.root_radius, scale * settings.tip_radius
     desc.radius_shape, desc.closes_tip = settings.shape, settings.use_close_tip
-    desc.strand_sizes = _whole(core, array('i', [hair.keys]) * hair.count)
+    sizes = array('i', [hair.keys]) * hair.count
+    desc.strand_sizes = filled(core.IntBuffer(len(sizes)), sizes)
     desc.first_strand = first_hair
     desc.texture_space_location = tuple(owner.data.texspace_location)
     desc.texture_space_size = tuple(owner.data.texspace_size)
@@ -109,7 +110,7 @@ def export_curves(context, curves, names):
     desc.radii = _radius_attribute(core, curves, _DEFAULT_RADIUS)
     sizes = array('i', bytes(4 * len(curves.curves)))
     curves.curves.foreach_get('points_length', sizes)
-    desc.strand_sizes = _whole(core, sizes)
+    desc.strand_sizes = filled(core.IntBuffer(len(sizes)), sizes)
     desc.attributes = _curve_attributes(core, curves, names)
     return context.description.add_mesh(desc)
 
@@ -220,7 +221,8 @@ def _srgb_to_linear(value):
 def _radius_attribute(core, data, default):
     attribute = data.attributes.get('radius')
     if attribute is None or attribute.data_type != 'FLOAT' or attribute.domain != 'POINT':
-        return _floats(core, array('f', [default]) * len(data.points))
+        count = len(data.points)
+        return filled(core.FloatBuffer(count), array('f', [default]) * count)
     buffer = core.FloatBuffer(len(data.points))
     attribute.data.foreach_get('value', buffer)
     return buffer
@@ -239,22 +241,8 @@ def _curve_attributes(core, curves, names):
     return found
 
 
-# Buffers -----------------------------------------------------------------------------------------
-
-def _floats(core, values):
-    buffer = core.FloatBuffer(len(values))
-    memoryview(buffer)[:] = memoryview(values)
-    return buffer
-
-
-def _whole(core, values):
-    buffer = core.IntBuffer(len(values))
-    memoryview(buffer).cast('B')[:] = memoryview(values).cast('B')
-    return buffer
-
-
 def _attribute(core, name, domain, channels, values):
     desc = core.AttributeDesc()
     desc.name, desc.domain, desc.channels = name, domain, channels
-    desc.data = _floats(core, values)
+    desc.data = filled(core.FloatBuffer(len(values)), values)
     return desc

@@ -14,6 +14,7 @@ from typing import NamedTuple, Sequence
 import bpy
 from mathutils import Vector
 
+from .context import filled
 from .mesh import NO_MESH
 from .settings import hash_string
 
@@ -97,13 +98,13 @@ def _box(context, obj):
     low, high = low - beyond, high + beyond
     desc = core.MeshDesc()
     desc.name = obj.data.name
-    desc.positions = _filled(core.FloatBuffer(24), 'f', [
-        (high if corner >> axis & 1 else low)[axis] for corner in range(8) for axis in range(3)])
-    desc.corner_vertices = _filled(core.UIntBuffer(24), 'I', chain.from_iterable(_SIDES))
-    desc.polygon_starts = _filled(core.IntBuffer(6), 'i', range(0, 24, 4))
-    desc.polygon_sizes = _filled(core.IntBuffer(6), 'i', [4] * 6)
-    desc.triangle_corners = _filled(core.UIntBuffer(36), 'I', [
-        4 * side + corner for side in range(6) for corner in (0, 1, 2, 0, 2, 3)])
+    desc.positions = filled(core.FloatBuffer(24), array('f', [
+        (high if corner >> axis & 1 else low)[axis] for corner in range(8) for axis in range(3)]))
+    desc.corner_vertices = filled(core.UIntBuffer(24), array('I', chain.from_iterable(_SIDES)))
+    desc.polygon_starts = filled(core.IntBuffer(6), array('i', range(0, 24, 4)))
+    desc.polygon_sizes = filled(core.IntBuffer(6), array('i', [4] * 6))
+    desc.triangle_corners = filled(core.UIntBuffer(36), array('I', [
+        4 * side + corner for side in range(6) for corner in (0, 1, 2, 0, 2, 3)]))
     # A volume's Generated coordinates are those of the object, as in Cycles.
     desc.texture_space_location = desc.texture_space_size = (0.5, 0.5, 0.5)
     return context.description.add_mesh(desc)
@@ -113,11 +114,6 @@ def _voxel_extent(grids):
     """The box around the largest voxel of the grids, as a Vector in object space."""
     extents = [[sum(abs(x) for x in row[:3]) for row in grid.matrix_object[:3]] for grid in grids]
     return Vector(max(values) for values in zip(*extents))
-
-
-def _filled(buffer, code, values):
-    memoryview(buffer).cast('B')[:] = memoryview(array(code, values)).cast('B')
-    return buffer
 
 
 def _grid(context, path, name):
