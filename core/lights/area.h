@@ -56,15 +56,13 @@ struct AreaLight {
 
 // Here for the sake of speed: every ray of a path asks each lamp.
 inline std::optional<LampHit> AreaLight::intersect(const Ray& ray) const {
+  // One branch, which is almost never taken, for all conditions.
   const float cosine = -dot(ray.direction, normal);
-  if (!(cosine > 0.0f)) return {};
   const float t = -dot(center - ray.origin, normal) / cosine;
-  if (!(t > ray.t_min) || t >= ray.t_max) return {};
   const Vec3 local = ray.at(t) - center;
-  const float u = dot(local, dual_u), v = dot(local, dual_v);
-  const bool inside =
-      is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::abs(u) <= 0.5f && std::abs(v) <= 0.5f;
-  if (!inside) return {};
+  const float u = std::abs(dot(local, dual_u)), v = std::abs(dot(local, dual_v));
+  const bool inside = is_ellipse ? sqr(u) + sqr(v) <= 0.25f : std::max(u, v) <= 0.5f;
+  if (!(inside & (cosine > 0.0f) & (t > ray.t_min) & (t < ray.t_max))) return {};
   return LampHit{t, radiance * attenuation(cosine)};
 }
 
