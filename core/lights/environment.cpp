@@ -12,9 +12,8 @@
 namespace tenniel {
 
 Vec3 equirectangular_to_direction(Vec2 uv) {
-  const float phi = (0.5f - uv.x) * k_two_pi, theta = (1.0f - uv.y) * k_pi;
-  const float sine = std::sin(theta);
-  return {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)};
+  const CosSin around = cos_sin_of_turns(0.5f - uv.x), down = cos_sin_of_turns(0.5f - 0.5f * uv.y);
+  return {down.sin * around.cos, down.sin * around.sin, down.cos};
 }
 
 namespace {
@@ -158,9 +157,9 @@ std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(Vec2 u) cons
   const Distribution2D::Sample s = map_->sample(u);
   const PixelGrid grid{width_, height_};
   const Vec2 uv = grid.to_uv(s.position);
-  const float sine = std::sin(uv.y * k_pi);
-  if (!(sine > 0.0f) || !(s.pdf > 0.0f)) return {};
   const Vec3 wi = equirectangular_to_direction(uv);
+  const float sine = safe_sqrt(1.0f - sqr(wi.z));
+  if (!(sine > 0.0f) || !(s.pdf > 0.0f)) return {};
   const float density = s.pdf * grid.stretch(uv.y) / (2.0f * k_pi * k_pi * sine);
   if (!sun_) return Direction{wi, density};
   return Direction{wi, (1.0f - sun_probability_) * density + sun_probability_ * sun_pdf(wi)};

@@ -4,6 +4,7 @@
 #include "math/bounds.h"
 #include "math/frame.h"
 #include "math/hash.h"
+#include "math/numeric.h"
 #include "math/ray.h"
 #include "math/spectrum.h"
 #include "math/transform.h"
@@ -22,6 +23,25 @@ TEST(Hash, AgreesWithBlender) {
   EXPECT_FLOAT_EQ(hash_float(1.0f, 2.0f), 0.54048234399885f);
   EXPECT_FLOAT_EQ(hash_float(1.0f, 2.0f, 3.0f), 0.29459814641033255f);
   EXPECT_FLOAT_EQ(hash_float(1.0f, 2.0f, 3.0f, 4.0f), 0.08476897610462479f);
+}
+
+TEST(Numeric, FastAnglesAreThoseOfTheLibrary) {
+  for (int i = -4000; i <= 4000; ++i) {
+    const double turns = i / 1000.0, angle = turns * 2.0 * 3.14159265358979323846;
+    const CosSin fast = cos_sin_of_turns(static_cast<float>(turns));
+    // The number itself is rounded, the more the further out.
+    const double tolerance = 2e-7 + 4e-7 * std::abs(turns);
+    EXPECT_NEAR(fast.cos, std::cos(angle), tolerance) << turns;
+    EXPECT_NEAR(fast.sin, std::sin(angle), tolerance) << turns;
+    for (const float radius : {1e-20f, 1.0f, 3e18f}) {
+      const float x = radius * static_cast<float>(std::cos(angle));
+      const float y = radius * static_cast<float>(std::sin(angle));
+      EXPECT_NEAR(fast_atan2(y, x), std::atan2(y, x), 4e-7) << turns;
+    }
+  }
+  EXPECT_EQ(fast_atan2(0.0f, 0.0f), 0.0f);
+  EXPECT_FLOAT_EQ(fast_atan2(0.0f, -1.0f), k_pi);
+  EXPECT_FLOAT_EQ(fast_atan2(-0.0f, -1.0f), -k_pi);
 }
 
 TEST(Transform, InverseUndoesShearScaleAndTranslation) {

@@ -58,6 +58,40 @@ inline float cos_near_zero(float x) {
   const float p = (2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f;
   return p * z * z - 0.5f * z + 1.0f;
 }
+// cos and sin of an angle in turns, to 1e-7.
+struct CosSin {
+  float cos, sin;
+};
+inline CosSin cos_sin_of_turns(float turns) {
+  const float quarters = std::round(4.0f * turns);
+  const float rest = (4.0f * turns - quarters) * (0.5f * k_pi);
+  const float c = cos_near_zero(rest), s = sin_near_zero(rest);
+  switch (static_cast<int>(quarters) & 3) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+// atan2 to 3e-7 by a polynomial (Moshier's Cephes, atanf.c); 0 where both are 0.
+inline float fast_atan2(float y, float x) {
+  const float a = std::abs(x), b = std::abs(y);
+  const float low = std::min(a, b), high = std::max(a, b);
+  if (!(high > 0.0f)) return 0.0f;
+  // Beyond tan(pi/8) the angle to pi/4 is the smaller one.
+  const bool is_wide = low > 0.41421356f * high;
+  const float t = is_wide ? (low - high) / (low + high) : low / high;
+  const float z = t * t;
+  float angle = ((8.05374449538e-2f * z - 1.38776856032e-1f) * z + 1.99777106478e-1f) * z;
+  angle = (angle - 3.33329491539e-1f) * z * t + t + (is_wide ? 0.25f * k_pi : 0.0f);
+  if (b > a) angle = 0.5f * k_pi - angle;
+  if (x < 0.0f) angle = k_pi - angle;
+  return std::copysign(angle, y);
+}
 // Zero where the divisor is zero: Blender's convention in every shader node.
 constexpr float safe_divide(float a, float b) {
   return b != 0.0f ? a / b : 0.0f;

@@ -85,43 +85,51 @@ Distribution2D::Distribution2D(std::vector<float> values, int width, int height)
   average_ = total / (static_cast<double>(width) * static_cast<double>(height));
   width_ = width;
   height_ = height;
-  for (float& value : values)
-    value = static_cast<float>(usable_weight(value) / average_);
-  density_ = std::move(values);
-  density_.resize(density_.size() + k_block);
+  density_.resize(values.size() + k_block);
+  std::transform(values.begin(), values.end(), density_.begin(), [this](float value) {
+    return ShortFloat::nearest(static_cast<float>(usable_weight(value) / average_));
+  });
   accumulate_rows();
 }
 
 namespace {
 
-// Makes shares of the whole of running sums. The last that adds anything becomes 1 exactly, so that
-// no number lies beyond it.
-void divide_by_last(std::span<const double> sums, float* shares) {
-  const double total = sums.back();
-  for (const double sum : sums)
-    *shares++ = total > 0.0 ? static_cast<float>(sum / total) : 0.0f;
-}
-
-// The first of the running shares that lies beyond `u`, which becomes its place within that share.
-size_t choose(std::span<const float> shares, float& u) {
-  const float* first = shares.data();
-  for (size_t left = shares.size(); left > 1;) {
-    const size_t half = left / 2;
-    first += first[half - 1] <= u ? half : 0;
-    left -= half;
-  }
-  const float below = first == shares.data() ? 0.0f : first[-1];
-  u = std::min((u - below) / (*first - below), k_one_minus_epsilon);
-  return static_cast<size_t>(first - shares.data());
+size_t count_up_to(std::span<const float> sorted, float u) {
+  size_t count = 0;
+  for (const float value : sorted)
+    count += value <= u ? 1 : 0;
+  return count;
 }
 
 }  // namespace
 
+// The last sum that adds anything becomes 1 exactly, so that no number lies beyond it.
+void RunningShares::append(std::span<const double> sums) {
+  const double total = sums.back();
+  for (size_t i = 0; i < sums.size(); ++i) {
+    const float share = total > 0.0 ? static_cast<float>(sums[i] / total) : 0.0f;
+    shares_.push_back(share);
+    if ((i + 1) % k_group == 0) ends_.push_back(share);
+  }
+}
+
+size_t RunningShares::choose(size_t row, float& u) const {
+  const size_t groups = length_ / k_group;
+  const size_t group = count_up_to(std::span(ends_).subspan(row * groups, groups), u);
+  const auto shares = std::span(shares_).subspan(row * length_, length_);
+  const size_t first = group * k_group;
+  const size_t chosen =
+      first + count_up_to(shares.subspan(first, std::min(k_group, length_ - first)), u);
+  const float below = chosen == 0 ? 0.0f : shares[chosen - 1];
+  u = std::min((u - below) / (shares[chosen] - below), k_one_minus_epsilon);
+  return chosen;
+}
+
 void Distribution2D::accumulate_rows() {
   const size_t blocks = blocks_per_row();
   const auto rows = static_cast<size_t>(height_);
-  rows_.resize(rows);
-  blocks_.resize(rows * blocks);
+  rows_ = RunningShares(rows);
+  blocks_ = RunningShares(blocks);
   std::vector<double> of_rows(rows), of_blocks(blocks);
   double total = 0.0;
   for (size_t y = 0; y < rows; ++y) {
@@ -131,28 +139,31 @@ void Distribution2D::accumulate_rows() {
         in_row += double{mass};
       of_blocks[block] = in_row;
     }
-    divide_by_last(of_blocks, &blocks_[y * blocks]);
+    blocks_.append(of_blocks);
     of_rows[y] = total += in_row;
   }
-  divide_by_last(of_rows, rows_.data());
+  rows_.append(of_rows);
+  // A mass is four times what a cell holds. The short densities are their own measure.
+  to_density_ = static_cast<float>(4.0 * static_cast<double>(width_) * height_ / total);
 }
 
-const float* Distribution2D::corner(int x, int y) const {
+const ShortFloat* Distribution2D::corner(int x, int y) const {
   const size_t stride = static_cast<size_t>(width_) + 1;
   return &density_[static_cast<size_t>(y) * stride + static_cast<size_t>(x)];
 }
 
 Distribution2D::Corners Distribution2D::corners(int x, int y) const {
-  const float *lower = corner(x, y), *upper = corner(x, y + 1);
-  return {lower[0], lower[1], upper[0], upper[1]};
+  const ShortFloat *lower = corner(x, y), *upper = corner(x, y + 1);
+  return {lower[0].value(), lower[1].value(), upper[0].value(), upper[1].value()};
 }
 
 Distribution2D::Masses Distribution2D::masses(int block, int y) const {
-  const float *lower = corner(block * k_block, y), *upper = corner(block * k_block, y + 1);
+  const ShortFloat *lower = corner(block * k_block, y), *upper = corner(block * k_block, y + 1);
   const int count = width_ - block * k_block;
   Masses result;
   for (int i = 0; i < k_block; ++i) {
-    const float mass = (lower[i] + upper[i]) + (lower[i + 1] + upper[i + 1]);
+    const float mass =
+        (lower[i].value() + upper[i].value()) + (lower[i + 1].value() + upper[i + 1].value());
     result[static_cast<size_t>(i)] = i < count ? mass : 0.0f;
   }
   return result;
@@ -178,8 +189,7 @@ int Distribution2D::choose_in_block(int block, int y, float& u) const {
 }
 
 Distribution2D::Sample Distribution2D::sample(Vec2 u) const {
-  const size_t row = choose(rows_, u.y), blocks = blocks_per_row();
-  const size_t block = choose(std::span(blocks_).subspan(row * blocks, blocks), u.x);
+  const size_t row = rows_.choose(0, u.y), block = blocks_.choose(row, u.x);
   const int y = static_cast<int>(row), x = choose_in_block(static_cast<int>(block), y, u.x);
   const Corners c = corners(x, y);
   const BilinearSquare cell(c);
@@ -188,7 +198,7 @@ Distribution2D::Sample Distribution2D::sample(Vec2 u) const {
     return std::min((static_cast<float>(index) + fraction) / static_cast<float>(count),
                     k_one_minus_epsilon);
   };
-  return {{place(x, at.x, width_), place(y, at.y, height_)}, bilinear(c, at)};
+  return {{place(x, at.x, width_), place(y, at.y, height_)}, bilinear(c, at) * to_density_};
 }
 
 float Distribution2D::pdf(Vec2 position) const {
@@ -198,7 +208,8 @@ float Distribution2D::pdf(Vec2 position) const {
   const int column = std::clamp(static_cast<int>(x), 0, width_ - 1);
   const int row = std::clamp(static_cast<int>(y), 0, height_ - 1);
   return bilinear(corners(column, row),
-                  {x - static_cast<float>(column), y - static_cast<float>(row)});
+                  {x - static_cast<float>(column), y - static_cast<float>(row)}) *
+         to_density_;
 }
 
 }  // namespace tenniel

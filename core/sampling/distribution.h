@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -39,6 +40,40 @@ class AliasTable {
   double total_ = 0.0;
 };
 
+// A float without the lower half of its bits: three digits are enough of a density that is but a
+// guess, and tables of them miss the cache half as often.
+class ShortFloat {
+ public:
+  static constexpr ShortFloat nearest(float x) {
+    const uint32_t bits = std::bit_cast<uint32_t>(x);
+    ShortFloat result;
+    result.upper_bits_ = static_cast<uint16_t>((bits + 0x7fffu + (bits >> 16 & 1u)) >> 16);
+    return result;
+  }
+  constexpr float value() const { return std::bit_cast<float>(uint32_t{upper_bits_} << 16); }
+
+ private:
+  uint16_t upper_bits_ = 0;
+};
+
+// Rows of running sums over their last, to be searched without a branch that depends on the number:
+// by the ends of groups first, then within one.
+class RunningShares {
+ public:
+  RunningShares() = default;
+  explicit RunningShares(size_t length) : length_(length) {}
+
+  void append(std::span<const double> sums);  // `length` of them, none below the one before
+  // The first share of `row` that lies beyond `u`, in [0, 1), which becomes its place within it.
+  size_t choose(size_t row, float& u) const;
+
+ private:
+  static constexpr size_t k_group = 16;
+  size_t length_ = 0;
+  std::vector<float> shares_;  // (rows, length)
+  std::vector<float> ends_;    // (rows, length / k_group) the last share of each whole group
+};
+
 // Density over [0,1)^2, bilinear between the corners of width x height cells, sampled by inversion
 // level by level: `u.y` chooses a row, `u.x` a block of it and a cell of that, and what is left of
 // both the place in the cell. Keeps the stratification of `u`.
@@ -65,7 +100,7 @@ class Distribution2D {
   using Corners = std::array<float, 4>;  // lower left, lower right, upper left, upper right
   using Masses = std::array<float, k_block>;
 
-  const float* corner(int x, int y) const;
+  const ShortFloat* corner(int x, int y) const;
   Corners corners(int x, int y) const;
   // Four times what the cells of a block hold; beyond the grid nothing.
   Masses masses(int block, int y) const;
@@ -73,10 +108,12 @@ class Distribution2D {
   size_t blocks_per_row() const { return (static_cast<size_t>(width_) + k_block - 1) / k_block; }
   void accumulate_rows();
 
-  std::vector<float> density_;  // at the corners, and room behind the last for a whole block
-  std::vector<float> rows_;     // (height) share of a row and those below it
-  // (height, blocks_per_row) share in its row of a block and those left of it.
-  std::vector<float> blocks_;
+  // At the corners, up to a factor, and room behind the last for a whole block.
+  std::vector<ShortFloat> density_;
+  float to_density_ = 0.0f;
+  RunningShares rows_;  // one row of them: (height) share of a row and those below it
+  RunningShares
+      blocks_;  // (height, blocks_per_row) share in its row of a block and those left of it
   int width_ = 0, height_ = 0;
   double average_ = 0.0;
 };

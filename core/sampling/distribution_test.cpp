@@ -98,8 +98,9 @@ Grid random_grid(const char* name, int width, int height) {
 
 std::vector<Grid> grids() {
   std::vector<Grid> all{random_grid("power of two", 16, 8), random_grid("odd", 13, 7),
-                        random_grid("row", 9, 1), random_grid("column", 1, 5),
-                        random_grid("cell", 1, 1)};
+                        random_grid("row", 9, 1),           random_grid("column", 1, 5),
+                        random_grid("cell", 1, 1),          random_grid("many rows", 3, 75),
+                        random_grid("many blocks", 300, 2)};
   Grid zero_rows = random_grid("zero rows", 10, 6);
   for (int x = 0; x <= 10; ++x)
     for (const int y : {0, 3, 4, 6})
@@ -208,6 +209,16 @@ TEST(Distribution2D, SampleAndPdfAgree) {
       ASSERT_NEAR(s.pdf, d.pdf(s.position), 3e-5f * steepest) << g.name;
     }
   }
+}
+
+TEST(ShortFloat, IsTheNearestOfThreeDigits) {
+  for (const float exact : {0.0f, 1.0f, -2.5f, 1e30f}) {
+    const float once = ShortFloat::nearest(exact).value();
+    EXPECT_NEAR(once, exact, std::abs(exact) * 0x1p-9f);
+    EXPECT_EQ(ShortFloat::nearest(once).value(), once);
+  }
+  EXPECT_EQ(ShortFloat::nearest(1.0f + 0x1p-8f).value(), 1.0f);  // a tie goes to the even one
+  EXPECT_EQ(ShortFloat::nearest(1.0f + 0x1.8p-8f).value(), 1.0f + 0x1p-7f);
 }
 
 TEST(Distribution2D, KeepsStratification) {
