@@ -104,48 +104,122 @@ std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
   return aim_at(scene, light, point, at, world, u, scratch);
 }
 
-Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
-                      const WorldGroup& group, const ShadingPoint& point, const LightNumbers& u,
-                      Worker& worker) {
-  const auto choice = scene.light_samplers[group.world].choose(point, u.choice);
-  if (!choice) return {};
-  const Light& light = scene.lights[choice->light];
-  if (state.info.ray_depth > light.max_bounces) return {};
-  const auto sample = aim_at(scene, light, point, state.info, group.world, u.place, worker.light);
-  if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
+namespace {
+
+// What a light sends to a point if nothing stands between.
+struct Candidate {
+  const Light* light = nullptr;
+  LightSample sample;
+  Spectrum radiance;  // scattered, over its density
+};
+
+// Black where the light does not count.
+Candidate aimed(const Scene& scene, const PathState& state, const WorldGroup& group,
+                const ShadingPoint& point, const LightCandidates::Candidate& choice, Vec2 place,
+                Worker& worker) {
+  Candidate result;
+  const Light& light = scene.lights[choice.light];
+  if (state.info.ray_depth > light.max_bounces) return result;
+  const auto sample = aim_at(scene, light, point, state.info, group.world, place, worker.light);
+  if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return result;
 
   const Bsdf& bsdf = worker.surface.bsdf;
   const LobeSet seeing = lobes_that_see(light.visibility, group.world) & group.lobes;
   BsdfEval scattered = bsdf.eval(sample->wi, seeing, group.lobes);
   if (worker.surface.surface.instance->terminator_cutoff > 0.0f)
     scattered.value += bsdf.value_beyond_horizon(sample->wi, seeing);
-  if (is_black(scattered.value)) return {};
+  if (is_black(scattered.value)) return result;
 
-  const float pdf = sample->pdf * choice->probability;
+  const float pdf = sample->pdf * choice.expected_count;
   const bool can_be_met = !sample->is_delta && light.use_mis;
   const float weight = can_be_met ? power_heuristic(pdf, scattered.pdf) : 1.0f;
-  Spectrum result = scattered.value * sample->radiance * (weight / pdf);
-
-  const SurfaceInteraction& at = worker.surface.surface;
-  if (light.casts_shadow) {
-    Ray ray;
-    ray.origin = shadow_ray_origin(at, sample->wi);
-    ray.direction = sample->wi;
-    if (sample->distance < k_infinity) {
-      // To the very point that was sampled: seen at a slant, the lamp itself would come between.
-      const Vec3 to_light = point.position + sample->wi * sample->distance - ray.origin;
-      const float distance = length(to_light);
-      ray.direction = to_light / distance;
-      // Short of the light, so that an emissive mesh does not shadow itself.
-      ray.t_max = distance * (1.0f - 1e-4f);
-    }
-    ray.time = state.ray.time;
-    result *= scene.has_media
-                  ? transmittance_through_media(scene, settings, state, group.world, ray, worker)
-                  : transmittance(scene, settings, ray, group.world, state.info, worker);
-  }
+  result.light = &light;
+  result.sample = *sample;
+  result.radiance = scattered.value * sample->radiance * (weight / pdf);
   return result;
 }
+
+// Share of `sample` that reaches the surface.
+Spectrum visibility(const Scene& scene, const RenderSettings& settings, const PathState& state,
+                    const WorldGroup& group, const ShadingPoint& point, const LightSample& sample,
+                    Worker& worker) {
+  Ray ray;
+  ray.origin = shadow_ray_origin(worker.surface.surface, sample.wi);
+  ray.direction = sample.wi;
+  if (sample.distance < k_infinity) {
+    // To the very point that was sampled: seen at a slant, the lamp itself would come between.
+    const Vec3 to_light = point.position + sample.wi * sample.distance - ray.origin;
+    const float distance = length(to_light);
+    ray.direction = to_light / distance;
+    // Short of the light, so that an emissive mesh does not shadow itself.
+    ray.t_max = distance * (1.0f - 1e-4f);
+  }
+  ray.time = state.ray.time;
+  return scene.has_media
+             ? transmittance_through_media(scene, settings, state, group.world, ray, worker)
+             : transmittance(scene, settings, ray, group.world, state.info, worker);
+}
+
+// Several where the picture shows the surface itself: beyond a rough bounce the noise of choosing
+// one is not worth the time.
+LightCandidates lights_to_look_at(const LightSampler& sampler, const PathState& state,
+                                  const ShadingPoint& point, float u) {
+  if (state.is_specular_so_far) return sampler.candidates(point, u);
+  const auto choice = sampler.choose(point, u);
+  if (!choice) return {};
+  return {{{{choice->light, choice->probability}}}, 1, 0.0f};
+}
+
+// The i-th point of a lattice through `u`: as even as `u` over the samples of a pixel.
+Vec2 shifted(Vec2 u, size_t i) {
+  const auto wrapped = [](float x) { return std::min(x - std::floor(x), k_one_minus_epsilon); };
+  const auto n = static_cast<float>(i);
+  return {wrapped(u.x + 0.75487767f * n), wrapped(u.y + 0.56984029f * n)};
+}
+
+}  // namespace
+
+// One shadow ray for all candidates: one of them stands for their sum, chosen by what it sends. The
+// noise of choosing is then that of the shadows alone.
+Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const PathState& state,
+                      const WorldGroup& group, const ShadingPoint& point, const LightNumbers& u,
+                      Worker& worker) {
+  const LightSampler& sampler = scene.light_samplers[group.world];
+  const LightCandidates candidates = lights_to_look_at(sampler, state, point, u.choice);
+  float pick = sampler.are_weighed() ? candidates.fresh_u : worker.sampler.get_1d();
+  Candidate chosen;
+  float total = 0.0f, share = 0.0f;
+  for (size_t i = 0; i < candidates.count; ++i) {
+    const Candidate next = aimed(scene, state, group, point, candidates.lights[i],
+                                 i == 0 ? u.place : shifted(u.place, i), worker);
+    const float weight = mean(next.radiance);
+    if (!(weight > 0.0f)) continue;
+    total += weight;
+    const float odds = weight / total;
+    if (pick < odds) {
+      chosen = next;
+      share = weight;
+      pick /= odds;
+    } else {
+      pick = (pick - odds) / (1.0f - odds);
+    }
+  }
+  if (chosen.light == nullptr) return {};
+  const Spectrum radiance = chosen.radiance * (total / share);
+  if (!chosen.light->casts_shadow) return radiance;
+  return radiance * visibility(scene, settings, state, group, point, chosen.sample, worker);
+}
+
+namespace {
+
+// How many light samples the point that the path scattered at spent on `light`, on average.
+float expected_light_samples(const Scene& scene, const PathState& state, uint32_t light) {
+  const LightSampler& sampler = scene.light_samplers[state.info.world];
+  return state.origin_saw_many_lights ? sampler.expected_count(state.origin, light)
+                                      : sampler.probability(state.origin, light);
+}
+
+}  // namespace
 
 Spectrum lamp_met(const Scene& scene, const PathState& state, uint32_t index, const LampHit& hit,
                   Worker& worker) {
@@ -154,7 +228,7 @@ Spectrum lamp_met(const Scene& scene, const PathState& state, uint32_t index, co
   if (state.pdf > 0.0f) {
     // The density is seen from where the path last scattered, also through transparent surfaces.
     const float light_pdf = lamp_pdf(light, state.origin, state.ray.direction) *
-                            scene.light_samplers[state.info.world].probability(state.origin, index);
+                            expected_light_samples(scene, state, index);
     weight = power_heuristic(state.pdf, light_pdf);
   }
   Spectrum radiance = hit.radiance;
@@ -174,8 +248,8 @@ float surface_emission_weight(const Scene& scene, const PathState& state,
   if (state.pdf <= 0.0f || at.instance->light < 0) return 1.0f;
   const auto light = static_cast<uint32_t>(at.instance->light);
   const auto* mesh = scene.lights[light].as<MeshLight>();
-  const float light_pdf = mesh->pdf(at, state.origin.position) *
-                          scene.light_samplers[state.info.world].probability(state.origin, light);
+  const float light_pdf =
+      mesh->pdf(at, state.origin.position) * expected_light_samples(scene, state, light);
   return power_heuristic(state.pdf, light_pdf);
 }
 
@@ -184,8 +258,8 @@ float background_weight(const Scene& scene, const PathState& state) {
   if (state.pdf <= 0.0f || world.light < 0) return 1.0f;
   const auto light = static_cast<uint32_t>(world.light);
   const auto* environment = scene.lights[light].as<EnvironmentLight>();
-  const float light_pdf = environment->pdf(state.ray.direction) *
-                          scene.light_samplers[state.info.world].probability(state.origin, light);
+  const float light_pdf =
+      environment->pdf(state.ray.direction) * expected_light_samples(scene, state, light);
   return power_heuristic(state.pdf, light_pdf);
 }
 

@@ -16,9 +16,9 @@ namespace tenniel {
 
 namespace {
 
-// Requests to the sampler per path vertex: those of VertexNumbers and, on a looking glass, a second
-// light sample.
-constexpr uint32_t k_dimensions_per_vertex = VertexNumbers::k_requests + 3;
+// Requests to the sampler per path vertex: those of VertexNumbers, on a looking glass a second
+// light sample, and for each the choice among candidates of many lights.
+constexpr uint32_t k_dimensions_per_vertex = VertexNumbers::k_requests + 4;
 constexpr uint32_t k_camera_dimensions = 8;
 // Cycles' least share of a lobe where the camera sees it first.
 constexpr float k_least_share_at_first = 0.125f;
@@ -443,6 +443,7 @@ bool PathTracer::bounce(const SurfaceInteraction& at, const WorldGroups& groups,
   state_.throughput *= sample->weight;
   if (!(max_component(state_.throughput) > 0.0f)) return false;
   enter(group, at, sample->wi);
+  state_.origin_saw_many_lights = state_.is_specular_so_far;
   count_bounce(state_, *sample, settings_);
   state_.pdf = sample->is_delta ? 0.0f : sample->pdf;
   if (!sample->is_delta) state_.min_pdf = std::min(state_.min_pdf, sample->pdf);

@@ -24,7 +24,8 @@ struct PathState {
   // could have made this segment (camera ray, or a delta lobe).
   ShadingPoint origin;
   float pdf = 0.0f;
-  FaceId left;  // the face that the ray has just passed through
+  bool origin_saw_many_lights = false;  // its light sample was one of LightSampler::candidates
+  FaceId left;                          // the face that the ray has just passed through
   // Added to the length of the segment to give that of the ray: it runs on through transparent
   // surfaces, and a camera's starts at the clip plane.
   float length_before = 0.0f;

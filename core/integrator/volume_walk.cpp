@@ -66,6 +66,7 @@ MediumEvent VolumeWalk::advance(PathState& state, Worker& worker) const {
   if (!(max_component(state.throughput) > 0.0f)) return MediumEvent::ended;
   count_volume_bounce(state, settings_);
   state.pdf = s.eval.pdf;
+  state.origin_saw_many_lights = false;
   state.min_pdf = std::min(state.min_pdf, s.eval.pdf);
   state.cone.radius = state.cone.radius_at(t);
   state.begin_segment(state.ray.at(t), s.wi);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,8 +14,20 @@ struct LightChoice {
   float probability = 0.0f;
 };
 
-// Chooses a light of one world for a shading point. Few lights are weighed at the point itself;
-// many by their power alone.
+// Lights to look at from a point, of which one is to stand for all.
+struct LightCandidates {
+  static constexpr size_t k_max = 5;
+  struct Candidate {
+    uint32_t light = 0;           // index into the scene's lights
+    float expected_count = 0.0f;  // of this light among the candidates
+  };
+  std::array<Candidate, k_max> lights;
+  size_t count = 0;
+  float fresh_u = 0.0f;  // what is left of the number, even and on its own; not of many lights
+};
+
+// Chooses lights of one world for a shading point. Few lights are weighed at the point itself; many
+// by their power alone.
 class LightSampler {
  public:
   static constexpr size_t k_max_weighed = 48;
@@ -30,12 +43,29 @@ class LightSampler {
   }
   // Probability that `choose` returns `light` at `point`.
   float probability(const ShadingPoint& point, uint32_t light) const;
+  // Those that may matter at the point. While lights are weighed each comes once at most, and `u`
+  // decides on the faint ones; of many some are drawn.
+  LightCandidates candidates(const ShadingPoint& point, float u) const {
+    if (members_.size() == 1) return {{{{members_[0], 1.0f}}}, 1, u};
+    return are_weighed() ? weighed_candidates(point, u) : drawn_candidates(u);
+  }
+  // How many of `candidates` are `light`, on average.
+  float expected_count(const ShadingPoint& point, uint32_t light) const;
+  bool are_weighed() const { return members_.size() <= k_max_weighed; }
   bool empty() const { return members_.empty(); }
   // Metres to the middle of the nearest light; infinite where none is near or there are too many to
   // look at each.
   float distance_to_nearest(Vec3 point) const;
 
  private:
+  // Of the lights that are weighed, their importances and the sum of those.
+  struct Weights {
+    std::array<float, k_max_weighed> of;
+    float total = 0.0f;
+  };
+  Weights weights_at(const ShadingPoint& point) const;
+  LightCandidates weighed_candidates(const ShadingPoint& point, float u) const;
+  LightCandidates drawn_candidates(float u) const;
   std::optional<LightChoice> choose_among_many(const ShadingPoint& point, float u) const;
 
   const std::vector<Light>* all_ = nullptr;

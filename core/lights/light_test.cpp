@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -323,6 +324,47 @@ TEST(LightSampler, ProbabilitiesSumToOneAndFollowTheChoice) {
       EXPECT_NE(choice->light, 1u);
       EXPECT_NEAR(choice->probability, sampler.probability(k_floor, choice->light), 1e-5f);
     }
+  }
+}
+
+// Every light as often among the candidates as `expected_count` says; and what is left of the
+// number is even whatever it has drawn.
+TEST(LightSampler, CandidatesComeAsOftenAsTheySay) {
+  for (const size_t count : {size_t{1}, size_t{2}, size_t{6}, size_t{200}}) {
+    std::vector<Light> lights(count);
+    for (size_t i = 0; i < count; ++i)
+      lights[i].shape = PointLight{{static_cast<float>(i), 1.0f, 2.0f},
+                                   0.1f,
+                                   Spectrum(1.0f + 10.0f * static_cast<float>(i % 3))};
+    const LightSampler sampler(lights, 0);
+    constexpr int k_draws = 40000;
+    std::vector<double> found(count);
+    struct Left {
+      double sum = 0.0;
+      int draws = 0;
+    };
+    std::map<std::vector<uint32_t>, Left> left_of;
+    for (int draw = 0; draw < k_draws; ++draw) {
+      const float u = (static_cast<float>(draw) + 0.5f) / k_draws;
+      const LightCandidates drawn = sampler.candidates(k_floor, u);
+      std::vector<uint32_t> names;
+      for (size_t i = 0; i < drawn.count; ++i) {
+        const auto [light, expected] = drawn.lights[i];
+        EXPECT_NEAR(expected, sampler.expected_count(k_floor, light), 1e-5f * expected);
+        found[light] += 1.0;
+        names.push_back(light);
+      }
+      Left& left = left_of[names];
+      left.sum += static_cast<double>(drawn.fresh_u);
+      ++left.draws;
+    }
+    for (uint32_t i = 0; i < count; ++i)
+      EXPECT_NEAR(found[i] / k_draws, sampler.expected_count(k_floor, i), 2e-4) << i;
+    if (!sampler.are_weighed()) continue;
+    for (const auto& [names, left] : left_of)
+      if (left.draws > 100) {
+        EXPECT_NEAR(left.sum / left.draws, 0.5, 0.01) << names.size();
+      }
   }
 }
 

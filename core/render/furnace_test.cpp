@@ -118,6 +118,33 @@ TEST(EstimatorStatistics, LightSamplingAndChanceAgree) {
   }
 }
 
+// One shadow ray for all lamps: what they give together is the sum of what each gives alone, for
+// few lamps and for so many that they are drawn by power, though some stand in the way of others.
+TEST(EstimatorStatistics, LampsTogetherGiveTheirSum) {
+  const auto scene = [](int lamps, int only) {
+    SceneBuilder b;
+    b.object(square(), diffuse(0.8f));
+    b.object(sphere(), glossy(0.4f), at(0.1f, 0.0f, 0.3f, 0.2f));
+    for (int i = 0; i < lamps; ++i) {
+      if (only >= 0 && i % 3 != only) continue;
+      const auto n = static_cast<float>(i);
+      const float x = 1.2f * std::cos(2.4f * n), y = 1.2f * std::sin(2.4f * n);
+      LightDesc& lamp = b.lamp(i % 2 == 0 ? "POINT" : "AREA", 1.0f + static_cast<float>(i % 4),
+                               at(x, y, 0.6f + 0.02f * n));
+      lamp.radius = 0.15f;
+    }
+    b.ortho_camera(at(0.0f, 0.0f, 5.0f), 1.0f);
+    b.scene.settings.samples = 512;
+    b.scene.settings.max_bounces = 1;
+    return mean_of(render(std::move(b.scene)));
+  };
+  for (const int lamps : {3, 7, 60}) {
+    const Mean together = scene(lamps, -1);
+    const Mean a = scene(lamps, 0), b = scene(lamps, 1), c = scene(lamps, 2);
+    EXPECT_NEAR(together.value / (a.value + b.value + c.value), 1.0, 3e-3) << lamps;
+  }
+}
+
 // Form factor of a unit square over the middle of a floor, at distance 1: 0.7522747 L irradiance.
 TEST(EstimatorStatistics, SquareLampGivesTheClosedFormIrradiance) {
   SceneBuilder b;
