@@ -171,7 +171,7 @@ LightCandidates lights_to_look_at(const LightSampler& sampler, const PathState& 
 }
 
 // The i-th point of a lattice through `u`: as even as `u` over the samples of a pixel.
-Vec2 shifted(Vec2 u, size_t i) {
+Vec2 lattice_point(Vec2 u, size_t i) {
   const auto wrapped = [](float x) { return std::min(x - std::floor(x), k_one_minus_epsilon); };
   const auto n = static_cast<float>(i);
   return {wrapped(u.x + 0.75487767f * n), wrapped(u.y + 0.56984029f * n)};
@@ -191,7 +191,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
   float total = 0.0f, share = 0.0f;
   for (size_t i = 0; i < candidates.count; ++i) {
     const Candidate next = aimed(scene, state, group, point, candidates.lights[i],
-                                 i == 0 ? u.place : shifted(u.place, i), worker);
+                                 i == 0 ? u.place : lattice_point(u.place, i), worker);
     const float weight = mean(next.radiance);
     if (!(weight > 0.0f)) continue;
     total += weight;

@@ -84,6 +84,12 @@ struct PixelGrid {
     const bool is_pole = v * h < 0.5f || v * h > h - 0.5f;
     return (is_pole ? 2.0f : 1.0f) * h / (h + 1.0f);
   }
+  // Density per solid angle of one over the unit square, at `wi` and its height `v` of the image; 0
+  // at the poles. From the sides of `wi`: 1 - z * z has few digits left where it is small.
+  float per_solid_angle(Vec3 wi, float v) const {
+    const float sine = std::sqrt(sqr(wi.x) + sqr(wi.y));
+    return sine > 0.0f ? stretch(v) / (2.0f * k_pi * k_pi * sine) : 0.0f;
+  }
   float sine_of_row(int y) const {
     return std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(height) * k_pi);
   }
@@ -158,9 +164,8 @@ std::optional<EnvironmentLight::Direction> EnvironmentLight::sample(Vec2 u) cons
   const PixelGrid grid{width_, height_};
   const Vec2 uv = grid.to_uv(s.position);
   const Vec3 wi = equirectangular_to_direction(uv);
-  const float sine = safe_sqrt(1.0f - sqr(wi.z));
-  if (!(sine > 0.0f) || !(s.pdf > 0.0f)) return {};
-  const float density = s.pdf * grid.stretch(uv.y) / (2.0f * k_pi * k_pi * sine);
+  const float density = s.pdf * grid.per_solid_angle(wi, uv.y);
+  if (!(density > 0.0f)) return {};
   if (!sun_) return Direction{wi, density};
   return Direction{wi, (1.0f - sun_probability_) * density + sun_probability_ * sun_pdf(wi)};
 }
@@ -170,11 +175,9 @@ float EnvironmentLight::pdf(Vec3 wi) const {
 }
 
 float EnvironmentLight::map_pdf(Vec3 wi) const {
-  const float sine = safe_sqrt(1.0f - sqr(wi.z));
-  if (!(sine > 0.0f)) return 0.0f;
   const PixelGrid grid{width_, height_};
   const Vec2 uv = equirectangular_projection(wi);
-  return map_->pdf(grid.from_uv(uv)) * grid.stretch(uv.y) / (2.0f * k_pi * k_pi * sine);
+  return map_->pdf(grid.from_uv(uv)) * grid.per_solid_angle(wi, uv.y);
 }
 
 float EnvironmentLight::sun_pdf(Vec3 wi) const {

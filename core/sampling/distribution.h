@@ -111,9 +111,8 @@ class Distribution2D {
   // At the corners, up to a factor, and room behind the last for a whole block.
   std::vector<ShortFloat> density_;
   float to_density_ = 0.0f;
-  RunningShares rows_;  // one row of them: (height) share of a row and those below it
-  RunningShares
-      blocks_;  // (height, blocks_per_row) share in its row of a block and those left of it
+  RunningShares rows_;    // one row: the shares of the rows of cells
+  RunningShares blocks_;  // for each row of cells the shares of its blocks
   int width_ = 0, height_ = 0;
   double average_ = 0.0;
 };

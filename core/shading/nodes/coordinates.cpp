@@ -55,7 +55,6 @@ Vec2 tube_projection(Vec3 p) {
 Vec2 equirectangular_projection(Vec3 direction) {
   const float len = length(direction);
   if (!(len > 0.0f)) return {};
-  // The angle to the equator is exact near it, that to a pole near the pole.
   return {0.5f - fast_atan2(direction.y, direction.x) * (1.0f / k_two_pi),
           0.5f + fast_asin(direction.z / len) * k_inv_pi};
 }
