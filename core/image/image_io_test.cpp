@@ -2,7 +2,6 @@
 #include "image/image_io.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +11,18 @@
 
 #include "image/colorspace.h"
 #include "image/half.h"
+#include "testing/temporary_folder.h"
 
 namespace tenniel {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ImageFile : public testing::Test {
+class ImageFile : public ::testing::Test {
  protected:
-  ImageFile() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
-        fs::temp_directory_path() / ("tenniel_" + std::to_string(getpid()) + "_" + info->name());
-    fs::create_directories(folder_);
-  }
-  ~ImageFile() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
   std::string make(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary)
-        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    return path(name);
+    return folder_.make(name, bytes);
   }
   void expect_refused(const std::string& file) const {
     const ImageLoadResult result = load_image(file, {});
@@ -42,7 +32,7 @@ class ImageFile : public testing::Test {
   }
 
  private:
-  fs::path folder_;
+  testing::TemporaryFolder folder_;
 };
 
 std::string big_endian(uint32_t v) {

@@ -4,28 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <string>
+
+#include "testing/temporary_folder.h"
 
 namespace tenniel {
 namespace {
-
-// A file below the folder for temporary ones, gone with the test.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& content)
-      : path_(std::filesystem::temp_directory_path() / "tenniel_volume_io_test.vdb") {
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 TEST(VolumeIo, SaysWhatIsMissing) {
   const VolumeLoadResult result = load_volume("/nowhere/cloud.vdb", "density", {});
@@ -34,17 +18,18 @@ TEST(VolumeIo, SaysWhatIsMissing) {
 }
 
 TEST(VolumeIo, RefusesOtherFiles) {
+  const testing::TemporaryFolder folder;
   for (const char* content : {"", "This is no volume.", " BDW"}) {
-    const TemporaryFile file(content);
-    const VolumeLoadResult result = load_volume(file.path(), "density", {});
+    const VolumeLoadResult result = load_volume(folder.make("other.vdb", content), "density", {});
     EXPECT_FALSE(result.grid);
     EXPECT_NE(result.error.find("no OpenVDB file"), std::string::npos) << result.error;
   }
 }
 
 TEST(VolumeIo, SurvivesAFileThatEndsAfterItsSignature) {
-  const TemporaryFile file(std::string(" BDV\0\0\0\0", 8));
-  const VolumeLoadResult result = load_volume(file.path(), "density", {});
+  const testing::TemporaryFolder folder;
+  const std::string file = folder.make("short.vdb", std::string(" BDV\0\0\0\0", 8));
+  const VolumeLoadResult result = load_volume(file, "density", {});
   EXPECT_FALSE(result.grid);
   EXPECT_FALSE(result.error.empty());
 }
