@@ -121,7 +121,7 @@ class ParticleTest(RenderTestCase):
                 self.scene.frame_set(1)
                 self.scene.frame_set(5)
                 scene_factory.top_camera(self.scene, 5.0)
-                self.assert_agrees(output, samples=64, resolution=(32, 32), block=8,
+                self.assert_agrees(output, samples=256, resolution=(32, 32), block=8,
                                    absolute=1e-3, seeds=2, max_noise=0.02)
 
 

@@ -96,6 +96,12 @@ class Bsdf {
   LobeSet lobes() const { return lobes_; }
   LobeSet smooth_lobes() const { return smooth_lobes_; }
   bool empty() const { return count_ == 0; }
+  // Whether every sample is the same: none, or that of a mirror or of a hole.
+  bool is_certain() const {
+    if (count_ != 1) return empty();
+    const bool has_one_way = lobes_.has(LobeClass::glossy) || lobes_.has(LobeClass::transparent);
+    return has_one_way && smooth_lobes_.empty();
+  }
   // weight * albedo(wo) summed over the lobes of a set.
   Spectrum albedo(LobeSet lobes = LobeSet::all()) const;
   // Mean of the lobes' normals by weight, unit, world space: the Normal pass.

@@ -317,6 +317,32 @@ TEST(Bsdf, WidenTurnsARoughMirrorSoftButLeavesSharpOnes) {
   EXPECT_TRUE(!soft->is_delta && sharp->is_delta);
 }
 
+TEST(Bsdf, OnlyMirrorsAndHolesAreCertain) {
+  const auto made_of = [](const std::vector<Lobe>& lobes) {
+    Bsdf bsdf;
+    bsdf.begin(k_up, k_up, direction(30.0f, 0.0f));
+    for (const Lobe& lobe : lobes)
+      bsdf.add(lobe, Spectrum(0.4f), k_up);
+    bsdf.finish();
+    return bsdf;
+  };
+  for (const Lobe& lobe : {Lobe(SpecularReflection{}), Lobe(Transparent{}), Lobe(ggx(0.0f))}) {
+    const Bsdf bsdf = made_of({lobe});
+    EXPECT_TRUE(bsdf.is_certain());
+    const auto a = bsdf.sample({0.1f, 0.9f}), b = bsdf.sample({0.8f, 0.3f});
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->wi, b->wi);
+    EXPECT_EQ(a->weight, b->weight);
+    EXPECT_FALSE(made_of({lobe, SpecularRefraction{1.5f}}).is_certain());
+    EXPECT_FALSE(made_of({lobe, Diffuse{}}).is_certain());
+  }
+  EXPECT_TRUE(made_of({}).is_certain());
+  Subsurface wax;
+  wax.color = wax.radius = Spectrum(0.5f);
+  for (const Lobe& lobe : {Lobe(Diffuse{}), Lobe(wax), Lobe(ggx(0.3f))})
+    EXPECT_FALSE(made_of({lobe}).is_certain());
+}
+
 TEST(Bsdf, AlbedoAndNormalOfTheMixture) {
   Bsdf bsdf;
   bsdf.begin(k_up, k_up, k_up);

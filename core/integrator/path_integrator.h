@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "integrator/radiance_cache.h"
 #include "integrator/worker.h"
 #include "math/spectrum.h"
@@ -28,9 +30,13 @@ class PathIntegrator {
                  const RadianceCache* cache = nullptr)
       : scene_(scene), settings_(settings), cache_(cache) {}
 
-  // `raster`: position on the film in pixels, (0, 0) the lower left corner of the whole picture.
-  // The worker's sampler stands at the sample; its first dimensions belong to the caller.
-  SampleResult trace(Vec2 raster, Worker& worker) const;
+  // Takes as many samples as `results` has room for (1 to k_max_branches), from number `first` of
+  // the pixel on; their AOVs are left in the worker. They leave the camera as one path, which takes
+  // its numbers from where the worker's sampler stands (the first belong to the caller), and part
+  // at the first surface that may send them different ways: each is a sample as good as any, but
+  // they see the same. `raster`: position on the film in pixels, (0, 0) the lower left corner of
+  // the whole picture.
+  void trace(Vec2 raster, uint32_t first, std::span<SampleResult> results, Worker& worker) const;
 
   // Dimensions of the sampler that the caller may use before `trace`.
   static constexpr uint32_t k_caller_dimensions = 4;

@@ -34,6 +34,7 @@ struct PathState {
   bool sees_background = true;     // nothing but transparent surfaces so far
   bool is_specular_so_far = true;  // only deltas and transparent surfaces so far
   bool has_entered = false;        // has gone through a looking glass
+  bool is_recorded = false;        // the film has noted a surface: its depth and normal
   // A bounce limit is reached: only what passes through goes on.
   bool ends_after_transparent = false;
   uint32_t vertices = 0;  // surfaces met, transparent ones included

@@ -28,12 +28,14 @@ std::vector<RadianceRecord> trace_paths(const Scene& scene, const RenderSettings
   const PathIntegrator integrator(scene, settings);
   for (uint32_t i = 0; i < k_paths_per_task && !cancelled; ++i) {
     // A pixel that no picture has.
-    worker.sampler.start_sample(-1, -1, task * k_paths_per_task + i);
+    const uint32_t index = task * k_paths_per_task + i;
+    worker.sampler.start_sample(-1, -1, index);
     const Vec2 u = worker.sampler.get_2d();
     recorder.begin();
-    const SampleResult sample = integrator.trace(
+    SampleResult sample;
+    integrator.trace(
         {u.x * static_cast<float>(settings.width), u.y * static_cast<float>(settings.height)},
-        worker);
+        index, {&sample, 1}, worker);
     if (!is_finite(sample.radiance)) continue;
     recorder.finish(sample.radiance,
                     [&](const RadianceRecord& record) { records.push_back(record); });

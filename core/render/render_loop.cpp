@@ -5,11 +5,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "film/pixel_filter.h"
 #include "integrator/path_integrator.h"
 #include "render/flush_denormals.h"
 #include "render/light_training.h"
+#include "render/sample_group.h"
 
 namespace tenniel {
 
@@ -25,6 +28,11 @@ PixelFilter filter_of(const RenderSettings& settings) {
   return PixelFilter(kind, settings.filter_width);
 }
 
+// Not where the camera or what fills the space before it blurs what two samples would see alike.
+bool may_share_camera_rays(const Scene& scene) {
+  return !scene.has_motion && !scene.has_media && !(scene.camera.aperture.radius > 0.0f);
+}
+
 class RenderLoop {
  public:
   RenderLoop(const Scene& scene, const RenderSettings& settings, Film& film,
@@ -34,6 +42,7 @@ class RenderLoop {
         film_(film),
         counters_(counters),
         on_tile_(on_tile),
+        may_share_(may_share_camera_rays(scene)),
         filter_(filter_of(settings)),
         workers_([&scene, &settings] { return Worker(scene, settings); }) {}
 
@@ -53,6 +62,8 @@ class RenderLoop {
   }
 
  private:
+  using Results = std::array<SampleResult, k_max_branches>;
+
   bool must_stop() const {
     if (counters_.cancelled.load(std::memory_order_relaxed)) return true;
     // The first pass always ends, so that there is a picture.
@@ -69,22 +80,21 @@ class RenderLoop {
     Worker& worker = workers_.local();
     const FilmRect rect = film_.tiles()[tile];
     TileSums sums = film_.read_tile(tile);
+    Results results;
     uint64_t dropped = 0;
     for (int y = 0; y < rect.height; ++y) {
       for (int x = 0; x < rect.width; ++x) {
         const int index = y * rect.width + x;
         PixelSums& pixel = sums.pixels[static_cast<size_t>(index)];
         float* extra = sums.extra.data() + static_cast<size_t>(index) * film_.extra_channels();
-        for (int s = first; s < end; ++s) {
+        for (int s = first; s < end;) {
           if (counters_.cancelled.load(std::memory_order_relaxed)) return;
-          const FilmSample sample =
-              take(rect.x + x + settings_.border_x, rect.y + y + settings_.border_y, s, worker);
-          if (!is_usable(sample)) {
-            ++dropped;
-            continue;
-          }
-          pixel.add(sample);
-          add_aovs(worker.aovs, extra);
+          const SampleGroup group = group_at(s, end);
+          take(rect.x + x + settings_.border_x, rect.y + y + settings_.border_y, group, worker,
+               results);
+          for (uint32_t i = 0; i < group.count; ++i)
+            dropped += keep(results[i], worker.aov_row(i), pixel, extra) ? 0 : 1;
+          s += static_cast<int>(group.count);
         }
       }
     }
@@ -96,25 +106,34 @@ class RenderLoop {
     on_tile_(tile);
   }
 
-  FilmSample take(int x, int y, int s, Worker& worker) const {
-    const auto index = static_cast<uint32_t>(s + settings_.sample_offset);
-    worker.sampler.start_sample(x, y, index);
+  SampleGroup group_at(int s, int end) const {
+    const auto number = [&](int i) { return static_cast<uint32_t>(i + settings_.sample_offset); };
+    return sample_group(number(s), number(end), may_share_);
+  }
+
+  void take(int x, int y, const SampleGroup& group, Worker& worker, Results& results) const {
+    worker.sampler.start_sample(x, y, group.camera_ray);
     const Vec2 u = worker.sampler.get_2d();
     // The first sample looks through the middle of the pixel: what Depth and single samples show.
-    const Vec2 offset = index == 0 ? Vec2() : filter_.sample(u);
+    const Vec2 offset = group.camera_ray == 0 ? Vec2() : filter_.sample(u);
     const Vec2 raster{static_cast<float>(x) + 0.5f + offset.x,
                       static_cast<float>(y) + 0.5f + offset.y};
     std::fill(worker.aovs.begin(), worker.aovs.end(), 0.0f);
-    const SampleResult r = PathIntegrator(scene_, settings_, cache_.get()).trace(raster, worker);
-    return {r.radiance, r.transparency, r.depth, r.normal, r.dream, r.dream_radiance};
+    PathIntegrator(scene_, settings_, cache_.get())
+        .trace(raster, group.first, std::span(results).first(group.count), worker);
   }
 
-  static void add_aovs(const std::vector<float>& aovs, float* sums) {
+  // Adds a sample to its pixel. False if a picture cannot hold it.
+  static bool keep(const SampleResult& r, std::span<const float> aovs, PixelSums& pixel,
+                   float* extra) {
+    if (!is_usable(r)) return false;
+    pixel.add({r.radiance, r.transparency, r.depth, r.normal, r.dream, r.dream_radiance});
     for (size_t i = 0; i < aovs.size(); ++i)
-      if (std::isfinite(aovs[i])) sums[i] += aovs[i];
+      if (std::isfinite(aovs[i])) extra[i] += aovs[i];
+    return true;
   }
 
-  static bool is_usable(const FilmSample& s) {
+  static bool is_usable(const SampleResult& s) {
     return is_finite(s.radiance) && std::isfinite(s.transparency) && is_finite(s.normal);
   }
 
@@ -124,6 +143,7 @@ class RenderLoop {
   RenderCounters& counters_;
   const std::function<void(size_t)>& on_tile_;
   std::unique_ptr<const RadianceCache> cache_;
+  const bool may_share_;
   PixelFilter filter_;
   tbb::enumerable_thread_specific<Worker> workers_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

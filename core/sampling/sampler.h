@@ -71,9 +71,11 @@ class Sampler {
 
   void start_sample(int x, int y, uint32_t index) {
     pixel_ = mix_bits(static_cast<uint32_t>(x) ^ mix_bits(static_cast<uint32_t>(y) ^ seed_));
-    reversed_index_ = detail::reverse_bits(index);
     dimension_ = 0;
+    set_index(index);
   }
+  // Another sample of the same pixel; the dimension stays.
+  void set_index(uint32_t index) { reversed_index_ = detail::reverse_bits(index); }
   // Requests from here on take dimensions from `dimension` up, one each, be it of one number or
   // two: one fixed block a path vertex, so that what one vertex draws never shifts the numbers of
   // the next.
