@@ -74,13 +74,13 @@ TEST(SampleGroup, BothHaveTheMeanOfOneAlone) {
   int alike = 0;
   constexpr int k_side = 160;
   for (int i = 0; i < k_side * k_side; ++i) {
-    const Vec2 raster{8.0f * static_cast<float>(i % k_side) / k_side,
-                      8.0f * static_cast<float>(i / k_side) / k_side};
+    const int x = i % k_side, y = i / k_side;
+    const Vec2 raster{8.0f * static_cast<float>(x) / k_side, 8.0f * static_cast<float>(y) / k_side};
     std::array<SampleResult, 2> results;
-    worker.sampler.start_sample(i % k_side, i / k_side, 0);
+    worker.sampler.start_sample(x, y, 0);
     integrator.trace(raster, 0, std::span(results).first(1), worker);
     alone.add(mean(results[0].radiance));
-    worker.sampler.start_sample(i % k_side, i / k_side, 1);
+    worker.sampler.start_sample(x, y, 1);
     integrator.trace(raster, 2, results, worker);
     first.add(mean(results[0].radiance));
     second.add(mean(results[1].radiance));
