@@ -27,7 +27,7 @@ LightSampler::LightSampler(const std::vector<Light>& all, WorldIndex world)
     member_of_light_[i] = static_cast<int32_t>(members_.size());
     members_.push_back(i);
   }
-  if (members_.size() <= k_max_weighed) {
+  if (are_weighed()) {
     for (const uint32_t light : members_)
       if (const auto center = center_of(all[light])) centers_.push_back(*center);
     return;
@@ -61,7 +61,7 @@ float LightSampler::distance_to_nearest(Vec3 point) const {
 std::optional<LightChoice> LightSampler::choose_among_many(const ShadingPoint& point,
                                                            float u) const {
   if (members_.empty()) return {};
-  if (members_.size() > k_max_weighed) {
+  if (!are_weighed()) {
     if (by_power_.empty()) return {};
     const AliasTable::Choice choice = by_power_.sample(u);
     return LightChoice{members_[choice.index], choice.probability};
@@ -128,7 +128,7 @@ float LightSampler::probability(const ShadingPoint& point, uint32_t light) const
   const int32_t member = member_of_light_[light];
   if (member < 0) return 0.0f;
   if (members_.size() == 1) return 1.0f;
-  if (members_.size() > k_max_weighed)
+  if (!are_weighed())
     return by_power_.empty() ? 0.0f : by_power_.probability(static_cast<uint32_t>(member));
   float total = 0.0f, own = 0.0f;
   for (const uint32_t i : members_) {
