@@ -41,16 +41,6 @@ std::optional<LightSample> sample_mesh_light(const Scene& scene, const MeshLight
   return LightSample{drawn->wi, drawn->distance, radiance, drawn->pdf, false};
 }
 
-std::optional<LightSample> sample_environment(const Scene& scene, const EnvironmentLight& light,
-                                              const PathInfo& path, Vec2 u,
-                                              ShadingContext& scratch) {
-  const auto drawn = light.sample(u);
-  if (!drawn) return {};
-  const Spectrum radiance =
-      background_radiance(scene, scene.worlds[path.world], drawn->wi, path, scratch);
-  return LightSample{drawn->wi, k_infinity, radiance, drawn->pdf, false};
-}
-
 PathInfo path_of_light_sample(PathInfo path, WorldIndex world) {
   path.world = world;
   ++path.ray_depth;
@@ -61,27 +51,31 @@ PathInfo path_of_light_sample(PathInfo path, WorldIndex world) {
 // A light whose radiance takes a shader. Out of line: lamps without one need none of its room.
 [[gnu::noinline]] std::optional<LightSample> sample_shaded_light(
     const Scene& scene, const Light& light, const ShadingPoint& point, const PathInfo& at,
-    WorldIndex world, Vec2 u, ShadingContext& scratch) {
+    WorldIndex world, Vec2 u, Worker& worker) {
   const PathInfo path = path_of_light_sample(at, world);
   if (const auto* mesh = light.as<MeshLight>())
-    return sample_mesh_light(scene, *mesh, point, path, u, scratch);
-  if (const auto* environment = light.as<EnvironmentLight>())
-    return sample_environment(scene, *environment, path, u, scratch);
+    return sample_mesh_light(scene, *mesh, point, path, u, worker.light);
+  if (const auto* environment = light.as<EnvironmentLight>()) {
+    const auto* made = worker.environments ? worker.environments->find(world, u) : nullptr;
+    const EnvironmentSample sample =
+        made ? *made : sample_environment(scene, *environment, path, u, worker.light);
+    return LightSample{sample.wi, k_infinity, sample.radiance, sample.pdf, false};
+  }
   auto sample = sample_lamp(light, point, u);
   if (!sample) return sample;
   const Vec3 position = point.position + sample->wi * std::min(sample->distance, 1e6f);
   sample->radiance *=
-      lamp_emission(scene, light, position, sample->wi, sample->distance, path, scratch);
+      lamp_emission(scene, light, position, sample->wi, sample->distance, path, worker.light);
   return sample;
 }
 
 // What `sample_light` does, within its caller. Lamps without a tree need not know of the path.
 [[gnu::always_inline]] inline std::optional<LightSample> aim_at(
     const Scene& scene, const Light& light, const ShadingPoint& point, const PathInfo& at,
-    WorldIndex world, Vec2 u, ShadingContext& scratch) {
+    WorldIndex world, Vec2 u, Worker& worker) {
   return light.is_lamp() && !light.material
              ? sample_lamp(light, point, u)
-             : sample_shaded_light(scene, light, point, at, world, u, scratch);
+             : sample_shaded_light(scene, light, point, at, world, u, worker);
 }
 
 // The same factor as `transmittance`, where there are media as well.
@@ -100,8 +94,8 @@ PathInfo path_of_light_sample(PathInfo path, WorldIndex world) {
 
 std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
                                         const ShadingPoint& point, const PathInfo& at,
-                                        WorldIndex world, Vec2 u, ShadingContext& scratch) {
-  return aim_at(scene, light, point, at, world, u, scratch);
+                                        WorldIndex world, Vec2 u, Worker& worker) {
+  return aim_at(scene, light, point, at, world, u, worker);
 }
 
 namespace {
@@ -120,7 +114,7 @@ Candidate aimed(const Scene& scene, const PathState& state, const WorldGroup& gr
   Candidate result;
   const Light& light = scene.lights[choice.light];
   if (state.info.ray_depth > light.max_bounces) return result;
-  const auto sample = aim_at(scene, light, point, state.info, group.world, place, worker.light);
+  const auto sample = aim_at(scene, light, point, state.info, group.world, place, worker);
   if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return result;
 
   const Bsdf& bsdf = worker.surface.bsdf;

@@ -24,7 +24,7 @@ Spectrum direct_light(const Scene& scene, const RenderSettings& settings, const 
 // Toward `light` from `point` of the path `at`, its radiance by its shader in `world`.
 std::optional<LightSample> sample_light(const Scene& scene, const Light& light,
                                         const ShadingPoint& point, const PathInfo& at,
-                                        WorldIndex world, Vec2 u, ShadingContext& scratch);
+                                        WorldIndex world, Vec2 u, Worker& worker);
 
 // Radiance of a lamp that the ray has met, times the weight of having met it by chance.
 Spectrum lamp_met(const Scene& scene, const PathState& state, uint32_t index, const LampHit& hit,

@@ -106,8 +106,7 @@ Spectrum light_scattered_in(const Scene& scene, const RenderSettings& settings,
   if (!light.visibility.seen_by(state.info.world, RayKind::volume_scatter)) return {};
 
   const ShadingPoint point = segment.point_at(choice->t);
-  const auto sample =
-      sample_light(scene, light, point, state.info, state.info.world, u, worker.light);
+  const auto sample = sample_light(scene, light, point, state.info, state.info.world, u, worker);
   if (!sample || !(sample->pdf > 0.0f) || !(max_component(sample->radiance) > 0.0f)) return {};
 
   const PhaseEval phase = media.medium_at(choice->t).phase.eval(state.ray.direction, sample->wi);

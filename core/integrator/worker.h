@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "integrator/environment_samples.h"
 #include "integrator/path_recorder.h"
 #include "integrator/segment_media.h"
 #include "sampling/sampler.h"
@@ -42,6 +43,7 @@ struct Worker {
   std::vector<MediumStep> medium_steps;  // of the segment the path is on
   std::vector<Hit> shadow_hits;          // of the shadow ray that is traced: all that let it pass
   PathRecorder* recorder = nullptr;      // of a training path
+  const EnvironmentSamples* environments = nullptr;  // of the pass; null: made as they are needed
 };
 
 }  // namespace tenniel

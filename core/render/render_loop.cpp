@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 #include "film/pixel_filter.h"
@@ -19,6 +20,8 @@ namespace tenniel {
 namespace {
 
 constexpr int k_max_samples_per_visit = 16;
+// Paths for each light sample made in advance: with fewer the samples cost as much as they save.
+constexpr double k_worthwhile_sharing = 8.0;
 
 PixelFilter filter_of(const RenderSettings& settings) {
   const PixelFilter::Kind kind = settings.pixel_filter == "BOX" ? PixelFilter::Kind::box
@@ -51,6 +54,7 @@ class RenderLoop {
     const int total = std::max(settings_.samples, 1);
     for (int first = 0, count = 1; first < total && !must_stop();) {
       const int end = std::min(first + count, total);
+      prepare_pass(first, end);
       tbb::parallel_for(size_t{0}, film_.tiles().size(), [&](size_t tile) {
         if (!must_stop()) visit(tile, first, end);
       });
@@ -74,10 +78,26 @@ class RenderLoop {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
+  // Light samples of the Worlds in advance, where many paths are to share them. What is cropped
+  // counts as well: a pixel must not know of it.
+  void prepare_pass(int first, int end) {
+    environments_.reset();
+    const double work = static_cast<double>(settings_.width) * settings_.height * (end - first);
+    if (work < k_worthwhile_sharing * EnvironmentSamples::k_count) return;
+    environments_.emplace(scene_, settings_.seed, number_of(first),
+                          [this](int count, const std::function<void(int)>& row) {
+                            tbb::parallel_for(0, count, [&](int y) {
+                              const FlushDenormals guard;
+                              if (!must_stop()) row(y);
+                            });
+                          });
+  }
+
   // Takes samples [first, end) of every pixel of a tile; one cut short by a cancel is not kept.
   void visit(size_t tile, int first, int end) {
     const FlushDenormals guard;
     Worker& worker = workers_.local();
+    worker.environments = environments_ ? &*environments_ : nullptr;
     const FilmRect rect = film_.tiles()[tile];
     TileSums sums = film_.read_tile(tile);
     Results results;
@@ -107,9 +127,10 @@ class RenderLoop {
   }
 
   SampleGroup group_at(int s, int end) const {
-    const auto number = [&](int i) { return static_cast<uint32_t>(i + settings_.sample_offset); };
-    return sample_group(number(s), number(end), may_share_);
+    return sample_group(number_of(s), number_of(end), may_share_);
   }
+  // Among all samples of the picture, of which this may be a part.
+  uint32_t number_of(int s) const { return static_cast<uint32_t>(s + settings_.sample_offset); }
 
   void take(int x, int y, const SampleGroup& group, Worker& worker, Results& results) const {
     worker.sampler.start_sample(x, y, group.camera_ray);
@@ -143,6 +164,7 @@ class RenderLoop {
   RenderCounters& counters_;
   const std::function<void(size_t)>& on_tile_;
   std::unique_ptr<const RadianceCache> cache_;
+  std::optional<EnvironmentSamples> environments_;  // of the pass under way
   const bool may_share_;
   PixelFilter filter_;
   tbb::enumerable_thread_specific<Worker> workers_;

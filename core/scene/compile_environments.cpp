@@ -24,6 +24,12 @@ bool knows_its_world(const NodeGraph& graph) {
   });
 }
 
+// Counts of bounces are all that light samples know of their path.
+bool knows_its_path(const NodeGraph& graph) {
+  return std::any_of(graph.nodes.begin(), graph.nodes.end(),
+                     [](const GraphNode& node) { return node.type == "ShaderNodeLightPath"; });
+}
+
 // The number that a setting holds, -1 where it is none.
 int index_setting(const GraphNode& node, const char* name) {
   const auto found = node.settings.find(name);
@@ -113,6 +119,7 @@ void SceneCompiler::compile_environments() {
     else
       light.shape = baked_environment(w);
     world.light = static_cast<int>(scene.lights.size());
+    world.radiance_knows_path = knows_its_path(desc.graph);
     scene.lights.push_back(std::move(light));
   }
 }

@@ -24,7 +24,8 @@ namespace tenniel {
 struct World {
   Material material;
   Visibility visibility;
-  int light = -1;  // index of its EnvironmentLight; -1 = black, or not sampled
+  int light = -1;                    // index of its EnvironmentLight; -1 = black, or not sampled
+  bool radiance_knows_path = false;  // it may differ between paths that see the same direction
 };
 
 // An object that a material with a Volume fills, in one world at least.
