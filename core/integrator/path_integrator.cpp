@@ -47,9 +47,10 @@ void PathIntegrator::trace(Vec2 raster, uint32_t first, std::span<SampleResult> 
   const bool has_started = trunk.start(raster);
   worker.sampler.set_index(first);
   aim_aovs(worker, 0);
-  if (has_started && results.size() > 1 && trunk.reach_fork())
-    return trace_branches(trunk, first, results, worker);
-  if (has_started && results.size() == 1) trunk.follow();
+  if (has_started && trunk.reach_fork()) {
+    if (results.size() > 1) return trace_branches(trunk, first, results, worker);
+    trunk.follow_alone();
+  }
   std::fill(results.begin(), results.end(), trunk.result());
   share_aovs(worker, results.size());
 }

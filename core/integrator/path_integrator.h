@@ -20,6 +20,7 @@ struct SampleResult {
   Vec3 normal;                // world space; zero where nothing is hit
   WorldIndex dream = 0;       // seen first, by itself or through mirrors and glass; 0 = none
   Spectrum dream_radiance;    // what of `radiance` came through a looking glass
+  bool has_forked = false;    // came to a surface that may send paths different ways
 };
 
 // Unidirectional path tracing with next-event estimation. Const; one Worker a thread.

@@ -39,9 +39,15 @@ void PathTracer::follow() {
     leave_surface();
 }
 
+void PathTracer::follow_alone() {
+  leave_surface();
+  follow();
+}
+
 bool PathTracer::reach_fork() {
   while (is_under_way_ && meet_surface()) {
-    if (!worker_.surface.bsdf.is_certain()) return true;
+    const ShadingContext& met = worker_.surface;
+    if (!is_boundary(met.surface) && !met.bsdf.is_certain()) return result_.has_forked = true;
     leave_surface();
   }
   return false;

@@ -33,8 +33,9 @@ class PathTracer {
   bool leave_fork();
   // Makes the worker hold it again, before any path has gone on.
   void return_to_fork();
-  // Goes on to the end.
+  // Goes on to the end: after `leave_fork`, or from the fork as the only one.
   void follow();
+  void follow_alone();
   const SampleResult& result() const { return result_; }
 
  private:

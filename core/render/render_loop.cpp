@@ -46,6 +46,7 @@ class RenderLoop {
         counters_(counters),
         on_tile_(on_tile),
         may_share_(may_share_camera_rays(scene)),
+        has_edge_(film.tiles().size() * Film::k_tile_size * Film::k_tile_size),
         filter_(filter_of(settings)),
         workers_([&scene, &settings] { return Worker(scene, settings); }) {}
 
@@ -100,6 +101,7 @@ class RenderLoop {
     worker.environments = environments_ ? &*environments_ : nullptr;
     const FilmRect rect = film_.tiles()[tile];
     TileSums sums = film_.read_tile(tile);
+    uint8_t* has_edge = &has_edge_[tile * Film::k_tile_size * Film::k_tile_size];
     Results results;
     uint64_t dropped = 0;
     for (int y = 0; y < rect.height; ++y) {
@@ -109,11 +111,12 @@ class RenderLoop {
         float* extra = sums.extra.data() + static_cast<size_t>(index) * film_.extra_channels();
         for (int s = first; s < end;) {
           if (counters_.cancelled.load(std::memory_order_relaxed)) return;
-          const SampleGroup group = group_at(s, end);
+          const SampleGroup group = group_at(s, end, has_edge[index]);
           take(rect.x + x + settings_.border_x, rect.y + y + settings_.border_y, group, worker,
                results);
           for (uint32_t i = 0; i < group.count; ++i)
             dropped += keep(results[i], worker.aov_row(i), pixel, extra) ? 0 : 1;
+          if (!results[0].has_forked) has_edge[index] = 1;
           s += static_cast<int>(group.count);
         }
       }
@@ -126,8 +129,8 @@ class RenderLoop {
     on_tile_(tile);
   }
 
-  SampleGroup group_at(int s, int end) const {
-    return sample_group(number_of(s), number_of(end), may_share_);
+  SampleGroup group_at(int s, int end, bool has_edge) const {
+    return sample_group(number_of(s), number_of(end), may_share_ && !has_edge);
   }
   // Among all samples of the picture, of which this may be a part.
   uint32_t number_of(int s) const { return static_cast<uint32_t>(s + settings_.sample_offset); }
@@ -166,6 +169,9 @@ class RenderLoop {
   std::unique_ptr<const RadianceCache> cache_;
   std::optional<EnvironmentSamples> environments_;  // of the pass under way
   const bool may_share_;
+  // Of each pixel, tile by tile: a sample has met a lamp, the World or nothing where others may see
+  // surfaces. Such an edge is the noise of its pixel, and each must look for itself.
+  std::vector<uint8_t> has_edge_;
   PixelFilter filter_;
   tbb::enumerable_thread_specific<Worker> workers_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "film/pixel_filter.h"
 #include "integrator/path_integrator.h"
 #include "scene/compile_scene.h"
+#include "testing/render_scene.h"
 #include "testing/scene_builder.h"
 #include "testing/z_test.h"
 
@@ -90,6 +92,52 @@ TEST(SampleGroup, BothHaveTheMeanOfOneAlone) {
   EXPECT_GT(welch_test(alone, first), 1e-4) << alone.mean() << " " << first.mean();
   EXPECT_GT(welch_test(alone, second), 1e-4) << alone.mean() << " " << second.mean();
   EXPECT_LT(alike, k_side * k_side / 4);  // where they meet nothing
+}
+
+// A lamp that fills the left half of the picture, before a floor that is black for want of light.
+SceneDescription edge_of_a_lamp() {
+  SceneBuilder b;
+  b.object(square(), diffuse(0.5f), at(0.0f, 0.0f, 0.0f, 4.0f));
+  b.object(square(), emission(1.0f), at(-2.0f, 0.0f, 1.0f, 1.98f)).visibility = {1u, 1u};
+  b.ortho_camera(at(0.0f, 0.0f, 5.0f), 1.0f);
+  b.scene.settings.width = b.scene.settings.height = 9;
+  b.scene.settings.samples = 64;
+  return std::move(b.scene);
+}
+
+// The brightness of a pixel of it by 64 samples of which each looks for itself.
+float seen_one_by_one(const Scene& scene, const RenderSettings& settings, int x, int y) {
+  const PixelFilter filter(PixelFilter::Kind::box, 1.0f);
+  const PathIntegrator integrator(scene, settings);
+  Worker worker(scene, settings);
+  float sum = 0.0f;
+  for (uint32_t s = 0; s < 64; ++s) {
+    worker.sampler.start_sample(x, y, s);
+    const Vec2 u = worker.sampler.get_2d(), offset = s == 0 ? Vec2() : filter.sample(u);
+    SampleResult result;
+    integrator.trace(
+        {static_cast<float>(x) + 0.5f + offset.x, static_cast<float>(y) + 0.5f + offset.y}, s,
+        {&result, 1}, worker);
+    sum += mean(result.radiance);
+  }
+  return sum / 64.0f;
+}
+
+TEST(SampleGroup, AtTheEdgeOfALampEachLooksForItself) {
+  SceneDescription description = edge_of_a_lamp();
+  const RenderSettings settings = description.settings;
+  const Picture picture = render(edge_of_a_lamp());
+  Diagnostics diagnostics;
+  const auto scene = compile_scene(std::move(description), diagnostics, {});
+  int on_edge = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const float expected = seen_one_by_one(*scene, settings, x, y);
+      EXPECT_NEAR(mean(picture.pixel(x, y)), expected, 1e-6f) << x << " " << y;
+      on_edge += expected > 0.2f && expected < 0.8f ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(on_edge, picture.height);
 }
 
 }  // namespace
