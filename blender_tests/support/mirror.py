@@ -77,7 +77,7 @@ class MirrorCase(RenderTestCase):
             obj.tenniel.side = "BOTH"
             obj.tenniel.looking_glass = False
 
-    def coverage(self, name="Looking Glass"):
+    def coverage(self, name="Looking Glass", samples=64):
         """For each pixel how much of it shows object `name`, as seen by the camera (0..1).
 
         Everything else turns black and this object white; tags and lights play no part.
@@ -91,7 +91,7 @@ class MirrorCase(RenderTestCase):
                 slots[obj] = obj.data.materials[0]
                 obj.data.materials[0] = white if obj.name == name else black
         world, self.scene.world = self.scene.world, None
-        picture = render(TESTED_ENGINE, 64, 5, self.RESOLUTION, max_bounces=0)
+        picture = render(TESTED_ENGINE, samples, 5, self.RESOLUTION, max_bounces=0)
         self.scene.world = world
         for obj, material in slots.items():
             obj.data.materials[0] = material

@@ -166,7 +166,7 @@ LightCandidates lights_to_look_at(const LightSampler& sampler, const PathState& 
 
 // The i-th point of a lattice through `u`: as even as `u` over the samples of a pixel.
 Vec2 lattice_point(Vec2 u, size_t i) {
-  const auto wrapped = [](float x) { return std::min(x - std::floor(x), k_one_minus_epsilon); };
+  const auto wrapped = [](float x) { return std::min(fraction(x), k_one_minus_epsilon); };
   const auto n = static_cast<float>(i);
   return {wrapped(u.x + 0.75487767f * n), wrapped(u.y + 0.56984029f * n)};
 }

@@ -26,6 +26,9 @@ constexpr float saturate(float x) {
 constexpr float smoothstep(float x) {
   return x * x * (3.0f - 2.0f * x);
 }
+inline float fraction(float x) {
+  return x - std::floor(x);
+}
 inline float safe_sqrt(float x) {
   return std::sqrt(std::max(x, 0.0f));
 }

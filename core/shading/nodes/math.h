@@ -54,10 +54,6 @@ enum class MathOperation : uint8_t {
   degrees,
 };
 
-inline float fraction(float x) {
-  return x - std::floor(x);
-}
-
 inline float safe_power(float base, float exponent) {
   if (base < 0.0f && exponent != std::floor(exponent)) return 0.0f;
   return std::pow(base, exponent);
