@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrator/environment_samples.h"
 
+#include <algorithm>
+
+#include "math/numeric.h"
 #include "sampling/sampler.h"
 #include "shading/shading_context.h"
 
@@ -11,6 +14,12 @@ namespace {
 const EnvironmentLight* presampled_light(const Scene& scene, const World& world) {
   if (world.light < 0 || world.radiance_knows_path) return nullptr;
   return scene.lights[static_cast<size_t>(world.light)].as<EnvironmentLight>();
+}
+
+// In [0, 1) for all that rounding may do.
+float place(size_t cell, float within) {
+  constexpr auto side = static_cast<float>(EnvironmentSamples::k_side);
+  return std::min((static_cast<float>(cell) + within) / side, k_one_minus_epsilon);
 }
 
 }  // namespace
@@ -28,25 +37,25 @@ EnvironmentSamples::EnvironmentSamples(const Scene& scene, uint32_t seed, uint32
   for (WorldIndex w = 0; w < k_world_count; ++w) {
     const EnvironmentLight* light = presampled_light(scene, scene.worlds[w]);
     if (!light) continue;
-    const auto table = std::make_shared<Table>(k_count);
+    std::vector<EnvironmentSample>& table = tables_[w];
+    table.resize(k_count);
     PathInfo path;
     path.world = w;
     path.is_light_sample = true;
     rows(static_cast<int>(k_side), [&](int y) {
       ShadingContext context;
       context.reserve(scene.register_count);
+      context.rays = &scene;
       Sampler sampler(seed);
       for (size_t x = 0; x < k_side; ++x) {
         // Pixels that no picture has.
         sampler.start_sample(-2 - static_cast<int>(x), -2 - y, first_sample);
         const Vec2 within = sampler.get_2d();
-        const Vec2 u{(static_cast<float>(x) + within.x) / static_cast<float>(k_side),
-                     (static_cast<float>(y) + within.y) / static_cast<float>(k_side)};
-        (*table)[static_cast<size_t>(y) * k_side + x] =
+        const Vec2 u{place(x, within.x), place(static_cast<size_t>(y), within.y)};
+        table[static_cast<size_t>(y) * k_side + x] =
             sample_environment(scene, *light, path, u, context);
       }
     });
-    tables_[w] = table;
   }
 }
 

@@ -77,6 +77,8 @@ TEST(EnvironmentSamples, EachCellHasItsOwn) {
     const auto in_middle = light->sample(middle_of(cx, cy));
     EXPECT_GT(dot(s.wi, in_middle->wi), 0.99f) << x << " " << y;
   }
+  const Vec2 last{k_one_minus_epsilon, k_one_minus_epsilon};
+  EXPECT_EQ(samples.find(0, last), samples.find(0, middle_of(255, 255)));
 }
 
 TEST(EnvironmentSamples, EachPassHasOthers) {
