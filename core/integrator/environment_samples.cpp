@@ -37,8 +37,12 @@ EnvironmentSamples::EnvironmentSamples(const Scene& scene, uint32_t seed, uint32
   for (WorldIndex w = 0; w < k_world_count; ++w) {
     const EnvironmentLight* light = presampled_light(scene, scene.worlds[w]);
     if (!light) continue;
-    std::vector<EnvironmentSample>& table = tables_[w];
-    table.resize(k_count);
+    for (WorldIndex other = 0; other < w && !tables_[w]; ++other) {
+      const EnvironmentLight* earlier = presampled_light(scene, scene.worlds[other]);
+      if (earlier && light->shares_map_with(*earlier)) tables_[w] = tables_[other];
+    }
+    if (tables_[w]) continue;
+    const auto table = std::make_shared<Table>(k_count);
     PathInfo path;
     path.world = w;
     path.is_light_sample = true;
@@ -52,10 +56,11 @@ EnvironmentSamples::EnvironmentSamples(const Scene& scene, uint32_t seed, uint32
         sampler.start_sample(-2 - static_cast<int>(x), -2 - y, first_sample);
         const Vec2 within = sampler.get_2d();
         const Vec2 u{place(x, within.x), place(static_cast<size_t>(y), within.y)};
-        table[static_cast<size_t>(y) * k_side + x] =
+        (*table)[static_cast<size_t>(y) * k_side + x] =
             sample_environment(scene, *light, path, u, context);
       }
     });
+    tables_[w] = table;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "lights/environment.h"
@@ -41,15 +42,17 @@ class EnvironmentSamples {
 
   // Null where samples of that World must be made as they are needed.
   const EnvironmentSample* find(WorldIndex world, Vec2 u) const {
-    const std::vector<EnvironmentSample>& table = tables_[world];
-    return table.empty() ? nullptr : &table[cell_of(u.y) * k_side + cell_of(u.x)];
+    const Table* table = tables_[world].get();
+    return table ? &(*table)[cell_of(u.y) * k_side + cell_of(u.x)] : nullptr;
   }
 
  private:
+  using Table = std::vector<EnvironmentSample>;  // (k_side, k_side), row 0 at u.y = 0
+
   static size_t cell_of(float u) { return static_cast<size_t>(u * static_cast<float>(k_side)); }
 
-  // (k_side, k_side) each, row 0 at u.y = 0; or empty.
-  std::array<std::vector<EnvironmentSample>, k_world_count> tables_;
+  // Null or, where Worlds look the same, one for all of them.
+  std::array<std::shared_ptr<const Table>, k_world_count> tables_;
 };
 
 }  // namespace tenniel

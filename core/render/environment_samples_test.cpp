@@ -28,9 +28,9 @@ NodeGraph bright_zenith(const char* reader = nullptr, const char* output = nullp
 }
 
 // A floor under it, seen from above.
-SceneDescription floor_under(NodeGraph world, float albedo = 0.75f) {
+SceneDescription floor_under(NodeGraph world) {
   SceneBuilder b;
-  b.object(square(), diffuse(albedo));
+  b.object(square(), diffuse(0.75f));
   b.world(0.0f).ortho_camera(at(0.0f, 0.0f, 5.0f), 1.0f);
   b.scene.worlds[0].graph = std::move(world);
   return std::move(b.scene);
@@ -79,6 +79,17 @@ TEST(EnvironmentSamples, EachCellHasItsOwn) {
   }
   const Vec2 last{k_one_minus_epsilon, k_one_minus_epsilon};
   EXPECT_EQ(samples.find(0, last), samples.find(0, middle_of(255, 255)));
+}
+
+// Behind every mirror without a World of its own.
+TEST(EnvironmentSamples, WorldsThatLookTheSameShareThem) {
+  SceneDescription description = floor_under(bright_zenith());
+  description.settings.start_world = 1;
+  const auto scene = compiled(std::move(description));
+  ASSERT_GE(scene->worlds[1].light, 0);
+  const EnvironmentSamples samples(*scene, 1, 0);
+  ASSERT_NE(samples.find(0, middle_of(7, 9)), nullptr);
+  EXPECT_EQ(samples.find(0, middle_of(7, 9)), samples.find(1, middle_of(7, 9)));
 }
 
 TEST(EnvironmentSamples, EachPassHasOthers) {
